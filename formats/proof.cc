@@ -243,26 +243,18 @@ void one_after_the_other(std::size_t count, const std::function<void(std::size_t
   for (std::size_t i = 0; i < count; ++i) body(i);
 }
 
-ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
-                  const Rig& rig, std::span<const std::string> cameras, double max_angle_rad, const ForEach& each_camera,
-                  std::span<const CalibratedCamera> calibrated) {
-  Rig written = rig;
-  written.cameras.clear();
-  for (const std::string& name : cameras) {
-    if (const Camera* camera = rig.find_camera(name)) written.cameras.push_back(*camera);
-  }
-  return prove(consumer, bytes, options, written, max_angle_rad, each_camera, calibrated);
-}
+namespace {
 
-ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
-                  const Rig& rig, double max_angle_rad, const ForEach& each_camera,
-                  std::span<const CalibratedCamera> calibrated) {
-  const consumers::ConsumerView view = consumer.load(bytes, options);
+ProofResult proof_of(const consumers::Consumer& consumer, const consumers::ConsumerView& view, const Rig& rig,
+                     double max_angle_rad, const ForEach& each_camera, std::span<const CalibratedCamera> calibrated) {
   ProofResult result;
   result.program = consumer.program;
   result.loads = view.loads();
   result.refusals = view.refusals;
   result.warnings = view.warnings;
+  result.wanted_name = view.wanted_name;
+  result.undistorts_points =
+      std::ranges::any_of(view.cameras, [](const auto& each) { return each.unproject_fault.code == Code::kRaysInFiveSteps; });
   if (!result.loads) return result;
   // The rig's cameras by position: formats may rename them.
   std::vector<Comparison> comparisons(std::min(rig.cameras.size(), view.cameras.size()));
@@ -309,6 +301,31 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   result.poses_agree = result.max_diff_pose <= kFloatPrecision;
   result.other_numbers = differing_numbers(rig, view);
   return result;
+}
+
+}  // namespace
+
+ProofResult prove(const consumers::Consumer& consumer, const consumers::ConsumerView& view, const Rig& rig,
+                  std::span<const std::string> cameras, double max_angle_rad, const ForEach& each_camera,
+                  std::span<const CalibratedCamera> calibrated) {
+  Rig written = rig;
+  written.cameras.clear();
+  for (const std::string& name : cameras) {
+    if (const Camera* camera = rig.find_camera(name)) written.cameras.push_back(*camera);
+  }
+  return proof_of(consumer, view, written, max_angle_rad, each_camera, calibrated);
+}
+
+ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
+                  const Rig& rig, std::span<const std::string> cameras, double max_angle_rad, const ForEach& each_camera,
+                  std::span<const CalibratedCamera> calibrated) {
+  return prove(consumer, consumer.load(bytes, options), rig, cameras, max_angle_rad, each_camera, calibrated);
+}
+
+ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
+                  const Rig& rig, double max_angle_rad, const ForEach& each_camera,
+                  std::span<const CalibratedCamera> calibrated) {
+  return proof_of(consumer, consumer.load(bytes, options), rig, max_angle_rad, each_camera, calibrated);
 }
 
 namespace {

@@ -122,6 +122,8 @@ void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
     if (proof.loads) {
       add_cameras(proof, reasons);
       add_versions(*facts.to, proof, reasons);
+      if (proof.is_first && !proof.wanted_name.empty())
+        reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNeedsName, {proof.program, proof.wanted_name}}});
       add_disagreement(proof, reasons);
       continue;
     }
@@ -296,21 +298,46 @@ std::string camera_of(const Finding& finding, const Rig* rig) {
   return name != nullptr && rig->find_camera(*name) != nullptr ? *name : "";
 }
 
-/// Is the finding about the pose of an IMU, by its name, and does the written file state none?
-bool is_of_unwritten_imu(const Finding& finding, const VerdictFacts& facts) {
+/// Does a written file state the pose, or can what it states be derived from it?
+bool is_written(const PoseEdge& edge, const VerdictFacts& facts) {
+  if (facts.files.empty()) return true;
+  if (!states_poses(facts)) return false;
   const bool uses_imu = facts.to->imu && (facts.to->modes.empty() || facts.mode.ends_with("inertial"));
-  if (uses_imu || facts.files.empty() || facts.rig == nullptr || finding.facts.arguments.empty()) return false;
-  const auto is_imu = [&facts](const std::string& frame) { return facts.rig->kind_of(frame) == FrameKind::kImu; };
-  return std::ranges::any_of(facts.rig->poses, [&](const PoseEdge& edge) {
-    return (is_imu(edge.a) || is_imu(edge.b)) && finding.facts.arguments.front() == Argument(name_of(edge));
-  });
+  const auto frame_is_written = [&](const std::string& frame) {
+    switch (facts.rig->kind_of(frame)) {
+      case FrameKind::kImu:
+        return uses_imu;
+      case FrameKind::kVehicle:
+        return facts.to->frame == "vehicle";
+      case FrameKind::kCamera:
+        return is_written(frame, facts);
+      case FrameKind::kOther:
+        return true;
+    }
+    return true;
+  };
+  if (frame_is_written(edge.a) && frame_is_written(edge.b)) return true;
+  // Cameras of one file that a frame between them relates.
+  const auto has_several = [](const std::vector<std::string>& cameras) { return cameras.size() > 1; };
+  return std::ranges::any_of(facts.files, has_several) && facts.rig->kind_of(edge.a) != FrameKind::kImu &&
+         facts.rig->kind_of(edge.b) != FrameKind::kImu;
 }
 
-/// Is the finding about where a camera stands on its vehicle, which the written file does not say?
-bool is_of_unwritten_vehicle(const Finding& finding, const VerdictFacts& facts) {
-  const Code code = finding.facts.code;
-  const bool is_of_vehicle = code == Code::kCameraUnderGround || code == Code::kCameraNotOfACar;
-  return is_of_vehicle && !facts.files.empty() && facts.to->frame != "vehicle";
+/// Is the finding about a pose that no written file states, by its name, or about poses where none is stated?
+bool is_of_unwritten_pose(const Finding& finding, const VerdictFacts& facts) {
+  if (facts.files.empty() || facts.rig == nullptr) return false;
+  const auto is_named = [&finding](const PoseEdge& edge) {
+    return !finding.facts.arguments.empty() && finding.facts.arguments.front() == Argument(name_of(edge));
+  };
+  const auto named = std::ranges::find_if(facts.rig->poses, is_named);
+  if (named != facts.rig->poses.end()) return !is_written(*named, facts);
+  return info(code_of(finding)).about == About::kPoses && !facts.rig->poses.empty() &&
+         std::ranges::none_of(facts.rig->poses, [&facts](const PoseEdge& edge) { return is_written(edge, facts); });
+}
+
+/// Are the rays of cv::undistortPoints among what the program has no right rays for?
+bool is_measured(const VerdictFacts& facts) {
+  return std::ranges::any_of(facts.proofs, [](const ProofResult& proof) { return proof.is_first && proof.undistorts_points; });
 }
 
 /// Is the finding about the pose that was left out, by its name?
@@ -340,8 +367,8 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
     if (!counts) continue;
     if (facts.rig != nullptr && same_id(kind, Code::kVerdictPosesContradict)) continue;  // decided by its numbers
     if (about == About::kPoses && is_of_outvoted(finding, facts)) continue;
-    if (about == About::kPoses && is_of_unwritten_imu(finding, facts)) continue;
-    if (is_of_unwritten_vehicle(finding, facts)) continue;
+    if (is_of_unwritten_pose(finding, facts)) continue;
+    if (same_id(kind, Code::kAnyUndistortionInexact) && is_measured(facts)) continue;
     const VerdictWord word = finding.severity == Severity::kError ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
     // Lengths that are no metres become wrong ones in a format of metres.
     if (kind == Code::kOpencvUnitsNotStated && is_of_one_camera(facts)) continue;  // of the second one's distance

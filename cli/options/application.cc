@@ -83,10 +83,6 @@ void replace_aliases(std::vector<std::string>& words) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// Of the first option that there is not: which was meant; nothing where none is near, or all are there.
 std::optional<std::string> unknown_option(std::span<const std::string> words, const Options& options) {
   constexpr std::string_view kDashes = "--";

@@ -61,7 +61,13 @@ std::string format_names() { return text::enumerated(format_ids()); }
 
 std::string target_names() { return format_names() + "; or a program, such as vins-fusion, ros2 or orbslam2"; }
 
-std::string model_names() { return text::enumerated(model_ids()); }
+std::string model_names() {
+  std::vector<std::string> names;
+  for (const ModelInfo& model : all_models()) {
+    if (!model.kept_only) names.emplace_back(model.id);
+  }
+  return text::enumerated(names);
+}
 
 std::string unknown_format(std::string_view typed) { return unknown_word("format", typed, format_ids()); }
 

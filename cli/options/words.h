@@ -25,6 +25,7 @@ namespace fca::cli {
 [[nodiscard]] std::string format_names();
 /// The same, and that programs' names are taken, too.
 [[nodiscard]] std::string target_names();
+/// Those that fits have for a target.
 [[nodiscard]] std::string model_names();
 /// "unknown format 'orb'; did you mean orbslam3?", with the list when nothing is near.
 [[nodiscard]] std::string unknown_format(std::string_view typed);

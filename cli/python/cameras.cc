@@ -66,7 +66,6 @@ Camera from_opencv(const Array& K, const Array& D, const std::optional<Size>& si
                    const std::string& name) {
   if (K.ndim() != 2 || K.shape(0) != 3 || K.shape(1) != 3) raise_value_error("K is a matrix of 3 x 3");
   const double* k = K.data();
-  if (k[1] != 0.0) raise_value_error("K has a skew (K[0, 1]), which these models do not have");
   const std::span<const double> coefficients(D.data(), static_cast<std::size_t>(D.size()));
   if (model.empty()) model = model_for(coefficients.size());
   const ModelInfo& info = model_named(model);
@@ -77,12 +76,18 @@ Camera from_opencv(const Array& K, const Array& D, const std::optional<Size>& si
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
     if (coefficients[i] != 0.0 || info.id != "pinhole") parameters[std::string(order[i].name())] = coefficients[i];
   }
-  return camera_of(model, parameters, size, name);
+  Camera camera = camera_of(model, parameters, size, name);
+  if (k[1] == 0.0) return camera;
+  const std::optional<CameraModel> skewed = with_skew(camera.model, k[1]);
+  if (!skewed) raise_value_error("K has a skew (K[0, 1]), which no model here has beside the numbers of " + model);
+  camera.model = *skewed;
+  return camera;
 }
 
 /// (K, D)
 py::tuple to_opencv(const Camera& camera) {
-  const std::string_view id = model_info(camera.model).id;
+  const auto [straight, skew_px] = without_skew(camera.model);
+  const std::string_view id = model_info(straight).id;
   std::span<const ParameterId> order = std::span(kOpenCvCoefficients).first(id == "pinhole" ? kRadtanCount : opencv_count(id));
   if (id == "kb4") order = kFisheyeCoefficients;
   if (order.empty()) {
@@ -91,7 +96,8 @@ py::tuple to_opencv(const Camera& camera) {
   }
   const auto value = [&camera](ParameterId coefficient) { return parameter(camera.model, coefficient).value_or(0.0); };
   Array K({3, 3});
-  std::ranges::copy(std::array{value("fx"), 0.0, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0}, K.mutable_data());
+  std::ranges::copy(std::array{value("fx"), skew_px, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0},
+                    K.mutable_data());
   Array D(static_cast<py::ssize_t>(order.size()));
   std::ranges::transform(order, D.mutable_data(), value);
   return py::make_tuple(K, D);

@@ -18,7 +18,8 @@ namespace fca::cli {
 namespace {
 
 constexpr std::size_t kIndent = 2;
-constexpr std::size_t kAbout = 11;  // the column of what a line is about
+constexpr std::size_t kAbout = 11;    // the column of what a line is about
+constexpr double kNoticeable = 0.01;  // of the image
 
 /// What kind of thing the reason is about.
 std::string_view label_of(const Reason& reason) {
@@ -31,6 +32,7 @@ std::string_view label_of(const Reason& reason) {
       return "refused";
     case Code::kVerdictNeedsProgram:
     case Code::kVerdictNeedsVersion:
+    case Code::kVerdictNeedsName:
       return "needs";
     case Code::kVerdictNotAsked:
     case Code::kVerdictNoReader:
@@ -79,7 +81,8 @@ bool is_likewise(const Reason& a, const Reason& b) {
   return has_owner && a.facts.code == b.facts.code && a.kind == b.kind && a.word == b.word && owner_of(a) != owner_of(b);
 }
 
-/// `told`: the remedies that stand in lines before it, and what they are for. Equal lines become one.
+/// `told`: the remedies of earlier lines, and their codes. A remedy is shown once, unless the same code repeats it: such lines
+/// may become one.
 std::string sentence_of(const Reason& reason, std::map<std::string, Code>& told) {
   std::string text = message_of(reason, with_options);
   const std::string remedy = remedy_of(reason);
@@ -118,12 +121,10 @@ std::string region_in_words(const CameraDistance& distance) {
 }
 
 std::string_view image_in_words(const CameraDistance& distance) {
-  constexpr double kNoticeable = 0.01;
   return distance.in_image.no_rays * distance.in_image.region > kNoticeable ? "where it has rays" : "in the whole image";
 }
 
 double share_without_rays(const CameraDistance& distance) {
-  constexpr double kNoticeable = 0.01;
   if (!distance.is_wide || distance.in_circle.no_rays > kNoticeable) return 0.0;
   return distance.in_image.no_rays * distance.in_image.region;
 }
@@ -176,6 +177,7 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
   std::vector<SummaryLine> lines;
   std::vector<std::string> codes;
   std::map<std::string, Code> told;
+  std::map<std::string, std::size_t> lost;  // the line of each remedy
   for (auto at = verdict.reasons.begin(); at != verdict.reasons.end(); ++at) {
     const Reason& reason = *at;
     if (!with_distances && !may_be_accepted(reason)) continue;  // an error of its own
@@ -203,6 +205,16 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
       if (!is_like(*other)) continue;
       likewise.push_back(owner_of(*other));
       has_others = has_others || !is_alike(innermost(reason.facts), innermost(other->facts));
+    }
+    if (reason.facts.code == Code::kVerdictLost && likewise.empty()) {
+      const std::string remedy = remedy_of(reason);
+      const auto [same, is_first] = lost.try_emplace(remedy, lines.size());
+      if (!remedy.empty() && !is_first) {
+        // What is lost likewise, before what to do about it.
+        std::string& text = lines[same->second].text;
+        text.insert(text.size() - remedy.size() - 2, "; " + message_of(reason, with_options));
+        continue;
+      }
     }
     const bool is_of_camera =
         is_distance || reason.facts.code == Code::kVerdictNoRays || reason.facts.code == Code::kVerdictNumbersDiffer;

@@ -61,6 +61,15 @@ bool Findings::has_any(std::span<const Code> codes) const {
   return std::ranges::any_of(report_.findings, [codes](const Finding& finding) { return same_id(code_of(finding), codes); });
 }
 
+bool Findings::has_any(std::span<const Code> codes, const Rig& rig, const std::string& camera) const {
+  return std::ranges::any_of(report_.findings, [&](const Finding& finding) {
+    if (finding.severity == Severity::kNote || !same_id(code_of(finding), codes)) return false;
+    const auto* name =
+        finding.facts.arguments.empty() ? nullptr : std::get_if<std::string>(&finding.facts.arguments.front().value);
+    return name == nullptr || *name == camera || rig.find_camera(*name) == nullptr;
+  });
+}
+
 namespace {
 
 struct Topic {

@@ -58,7 +58,7 @@ class ProgramsCheck {
   }
 
   void run() {
-    report_.readers = ask_readers(format_.id, document_.source().bytes, with_cameras_, asked());
+    report_.readers = ask_readers(format_.id, document_.source().bytes, with_cameras_, load_options(options_.reading, {}));
     const Consumer* own =
         options_.program != nullptr ? options_.program : consumers::own_program(format_.id, with_cameras_.value_or(true));
     if (own == nullptr) {
@@ -87,9 +87,12 @@ class ProgramsCheck {
   }
 
  private:
-  [[nodiscard]] consumers::LoadOptions asked(std::string mode = {}) const {
+  [[nodiscard]] consumers::LoadOptions asked(const Consumer& program, std::string mode = {}) const {
     consumers::LoadOptions options = load_options(options_.reading, std::move(mode));
-    if (options_.program != nullptr) options.file_name = document_.source().name;  // else another program is meant, perhaps
+    const std::string& name = document_.source().name;
+    const std::string_view right = program.writing.equidistant_file_name;
+    // Else another program is meant, perhaps.
+    if (options_.program != nullptr || (!right.empty() && name.ends_with(right))) options.file_name = name;
     return options;
   }
 
@@ -97,7 +100,7 @@ class ProgramsCheck {
     std::vector<Attempt> attempts;
     if (format_.modes.empty()) attempts.push_back({"", {}});
     for (const std::string_view mode : format_.modes) attempts.push_back({std::string(mode), {}});
-    for (Attempt& each : attempts) each.view = program.load(document_.source().bytes, asked(each.mode));
+    for (Attempt& each : attempts) each.view = program.load(document_.source().bytes, asked(program, each.mode));
     return attempts;
   }
 
@@ -106,7 +109,7 @@ class ProgramsCheck {
     if (calibration_ == nullptr) return;
     const std::string mode = format_.modes.empty() ? "" : meant_mode(document_);
     report_.mode = mode;
-    report_.proof = prove(program, document_.source().bytes, asked(mode), rig_in_stated_unit(),
+    report_.proof = prove(program, document_.source().bytes, asked(program, mode), rig_in_stated_unit(),
                           options_.max_angle_rad.value_or(std::numbers::pi));
     if (report_.proof->loads || options_.program != nullptr) return;  // whoever asks for a program has that one
     for (const Readers::Program& other : report_.readers.programs) {
@@ -170,7 +173,7 @@ class ProgramsCheck {
   /// One refusal or warning, at its place, with the mend if there is a certain one.
   void say(Finding finding, const Consumer& program, const std::string& mode, const Complaint& complaint) {
     finding.where = place_of(complaint);
-    if (const std::optional<Mend> mend = find_mend(document_, program, asked(mode), complaint)) {
+    if (const std::optional<Mend> mend = find_mend(document_, program, asked(program, mode), complaint)) {
       finding.kind = mend->fix.code;
       const text::Span line = document_.source().line_at(mend->span.offset);
       // A line that is put in before is wanted where the first one stands.
@@ -313,7 +316,7 @@ class ProgramsCheck {
     finding.severity = Severity::kWarning;
     finding.facts = {Code::kModeRefused, {mode, own.program, modes, refusals.front().facts, and_more(refusals)}};
     finding.where = place_of(refusals.front());
-    if (const std::optional<Mend> mend = find_mend(document_, own, asked(mode), refusals.front())) {
+    if (const std::optional<Mend> mend = find_mend(document_, own, asked(own, mode), refusals.front())) {
       finding.remedy = mend->fix;
       finding.mend = SpanEdit{mend->span, mend->text};
     }

@@ -37,6 +37,8 @@ class Findings {
   /// Of the code's id, there.
   [[nodiscard]] bool has(Code code, const SourceRange& where) const;
   [[nodiscard]] bool has_any(std::span<const Code> codes) const;
+  /// More than a note of that camera, whom messages name first; what is found of the file as a whole counts for each.
+  [[nodiscard]] bool has_any(std::span<const Code> codes, const Rig& rig, const std::string& camera) const;
   void undecided(Code code, std::vector<Argument> arguments = {}) {
     report_.undecided.push_back({{code, std::move(arguments)}});
   }

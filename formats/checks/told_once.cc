@@ -34,6 +34,8 @@ constexpr std::array kTwice = {
     Twice{Code::kCalibResultsInverseMissing, Code::kOcamCoefficientCount},
     Twice{Code::kOpencvReadWithout, Code::kCvDistortionMissing},
     Twice{Code::kOpencvSkew, Code::kCvSkewUnused, true, true},
+    Twice{Code::kOpencvSkewKept, Code::kCvSkewUnused, true, true},
+    Twice{Code::kRosSkewKept, Code::kRosSaysSkewUnused, true},
     Twice{Code::kOpencvCameraCount, Code::kCvCameraCount},
     Twice{Code::kKalibrSaysAlphaOutside, Code::kCamchainAlphaBelowOne},
     Twice{Code::kWoodscapeJsonReadByNobody, Code::kProjectionPyIgnores},

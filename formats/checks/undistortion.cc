@@ -70,11 +70,12 @@ Reach reach_of(const OpenCvCamera& camera, const CameraModel& model, const Image
   return reach;
 }
 
-void check_camera(const Subject& subject, const Camera& camera, const OpenCvCamera& lens, Findings& findings) {
+/// Nothing where it arrives.
+std::optional<Message> problem_with(const Camera& camera, const OpenCvCamera& lens) {
   const Reach reach = reach_of(lens, camera.model, *camera.image_size);
-  if (!reach.any) return;
-  findings.add(reach.diverges ? Code::kUndistortionDiverges : Code::kUndistortionFewSteps,
-               {camera.name, reach.worst_px, kLimit, reach.nearest_px}, subject.places.parameter(camera, "k1"));
+  if (!reach.any) return std::nullopt;
+  return Message{reach.diverges ? Code::kUndistortionDiverges : Code::kUndistortionFewSteps,
+                 {camera.name, reach.worst_px, kLimit, reach.nearest_px}};
 }
 
 }  // namespace
@@ -82,18 +83,27 @@ void check_camera(const Subject& subject, const Camera& camera, const OpenCvCame
 bool check_undistortion(const Subject& subject, Findings& findings) {
   // Numbers that are not believed for another reason are not of this lens.
   constexpr std::array kOtherReasons = {
-      Code::kAnyCentreOff,          Code::kAnyCentreOutside,    Code::kAnyEucmWithoutType, Code::kAnyFocalLengthNotInPixels,
-      Code::kAnyFocalLengthsDiffer, Code::kAnyFoldsInsideImage, Code::kAnyOctal,           Code::kAnySizeSwapped,
-      Code::kAnySizeUnlikeCentre,   Code::kAnyWrongFamily};
-  if (findings.has_any(kOtherReasons)) return false;
+      Code::kAnyCentreOff,        Code::kAnyCentreOutside, Code::kAnyEucmWithoutType, Code::kAnyFocalLengthNotInPixels,
+      Code::kAnyFoldsInsideImage, Code::kAnyOctal,         Code::kAnySizeSwapped,     Code::kAnySizeUnlikeCentre,
+      Code::kAnyWrongFamily};
   bool any = false;
   for (const Camera& camera : subject.rig().cameras) {
     const std::optional<OpenCvCamera> lens = as_opencv(camera.model);
-    if (!lens || !camera.image_size) continue;
-    check_camera(subject, camera, *lens, findings);
+    if (!lens || !camera.image_size || findings.has_any(kOtherReasons, subject.rig(), camera.name)) continue;
+    if (const std::optional<Message> problem = problem_with(camera, *lens))
+      findings.add(problem->code, problem->arguments, subject.places.parameter(camera, "k1"));
     any = true;
   }
   return any;
 }
 
 }  // namespace fca::checks
+
+namespace fca {
+
+std::optional<Message> undistortion_problem(const Camera& camera) {
+  const std::optional<checks::OpenCvCamera> lens = checks::as_opencv(camera.model);
+  return lens && camera.image_size ? checks::problem_with(camera, *lens) : std::nullopt;
+}
+
+}  // namespace fca

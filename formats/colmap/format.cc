@@ -272,7 +272,6 @@ void add_poses(const Rig& rig, std::span<const int> ids, bool binary, Written& w
   written.files.push_back({*std::move(rigs), {}, {"colmap-rig"}});
   // Where there is no room for either, one of them is missed.
   written.files.back().of_defaults = config.has_value();
-  if (!binary) written.headline = {Code::kColmapBothHeadline};
 }
 
 /// Without images and points COLMAP does not open a folder.
@@ -330,9 +329,9 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
             : !writable_alone(kFormat, rig, Message{Code::kColmapDemandsSize}, diagnostics))
     return std::nullopt;
   const std::vector<int> ids = camera_ids(rig);
-  const bool binary = options.extension == kBinary;
+  const bool wants_binary = options.extension == kBinary;
   std::optional<text::Document> document =
-      edits ? edited(*base, *old, rig) : composed(options.anew ? nullptr : base, old, rig, binary, ids, diagnostics);
+      edits ? edited(*base, *old, rig) : composed(options.anew ? nullptr : base, old, rig, wants_binary, ids, diagnostics);
   if (!document) return std::nullopt;
   Written written;
   const bool is_rig_config = document->syntax() == text::Syntax::kJson;
@@ -345,6 +344,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
                       : of_rigs     ? Code::kColmapRigsHeadline
                       : is_binary   ? Code::kColmapBinaryHeadline
                                     : Code::kColmapHeadline};
+  const auto own_rigs = std::ranges::find_if(options.input, is_rigs);
   written.files.push_back({*std::move(document), {}, {of_rigs ? "colmap-rig" : "colmap"}});
   for (std::size_t i = 0; i < rig.cameras.size() && (is_rig_config || !of_rigs); ++i)
     written.files.front().cameras.push_back(rig.cameras[i].name);
@@ -352,7 +352,12 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   list_camera_losses(rig, "COLMAP", written.losses);
   // Beside what is changed in place lie the poses of its folder.
   const bool has_poses_beside = edits && (options.keeps_layout || of_rigs);
-  if (!has_poses_beside && !options.lenses_alone) add_poses(with_rotations(rig, written), ids, is_binary, written, diagnostics);
+  if (!has_poses_beside && !options.lenses_alone && edits && own_rigs != options.input.end()) {
+    written.files.push_back({edited_rigs(*own_rigs, rig), {}, {"colmap-rig"}});
+    written.files.back().place = is_binary ? "rigs.bin" : "rigs.txt";
+  } else if (!has_poses_beside && !options.lenses_alone) {
+    add_poses(with_rotations(rig, written), ids, is_binary, written, diagnostics);
+  }
   if (written.files.size() == 1 && !of_rigs) written.sensor = kLensAlone;
   if (edits && written.files.size() == 1) return written;
   add_fillers(is_binary, written, diagnostics);

@@ -126,10 +126,11 @@ ConsumerView load_cuvslam(std::string_view bytes, const LoadOptions& options) {
   if (!view.loads() || !pose || !intrinsics || !coefficients || !size) return view;
   const std::string distortion = text_at(*root, "distortion_model");
   const bool is_equidistant = distortion == "equidistant";
-  const bool has_right_name =
-      options.file_name.empty() ? is_equidistant : options.file_name.ends_with("sensor_recalibrated.yaml");
+  constexpr std::string_view kRightName = "sensor_recalibrated.yaml";
+  const bool has_right_name = options.file_name.empty() ? is_equidistant : options.file_name.ends_with(kRightName);
   const bool is_fisheye = text_at(*root, "camera_model") == "fisheye" || has_right_name;
   const bool is_misread = is_equidistant && !is_fisheye;
+  if (options.file_name.empty() && is_equidistant && text_at(*root, "camera_model") != "fisheye") view.wanted_name = kRightName;
   if (is_misread) {
     const std::string key = "distortion_model";
     view.warnings.emplace_back(Code::kCuvslamSaysTakenForBrown, key, std::vector<Argument>{key, distortion});

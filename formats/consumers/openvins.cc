@@ -13,6 +13,7 @@
 #include "about_key.h"
 #include "fca/code.h"
 #include "fca/rig/limits.h"
+#include "opencv_formulas.h"
 #include "programs.h"
 #include "storage.h"
 
@@ -49,6 +50,17 @@ Pixel distort_radtan(const CameraValues& d, float x, float y) {
   const double radial = 1.0 + d[4] * r2 + d[5] * r2 * r2;
   return to_pixel(d, x * radial + 2.0 * d[6] * x * y + d[7] * (r2 + 2.0 * x * x),
                   y * radial + d[6] * (r2 + 2.0 * y * y) + 2.0 * d[7] * x * y);
+}
+
+// CamRadtan::undistort_f: cv::undistortPoints.
+std::function<std::optional<Ray>(const Pixel&)> rays_of(const CameraValues& d) {
+  const opencv::CameraMatrix K = {d[0], d[1], d[2], d[3], 0.0};
+  opencv::PinholeCoefficients coefficients{};
+  std::copy_n(d.begin() + 4, 4, coefficients.begin());
+  return [K, coefficients](const Pixel& pixel) -> std::optional<Ray> {
+    const Pixel point = opencv::undistort_point(K, coefficients, pixel);
+    return Ray{point[0], point[1], 1.0};
+  };
 }
 
 /// Features behind the camera are rejected when they are triangulated.
@@ -169,6 +181,10 @@ void read_camera(Sensor& sensor, ConsumerView& view) {
   camera.width = cv::saturate_cast<int>((*resolution)[0]);
   camera.height = cv::saturate_cast<int>((*resolution)[1]);
   camera.project = projection(values, is_equidistant);
+  if (!is_equidistant) {
+    camera.unproject = rays_of(values);
+    camera.unproject_fault = {Code::kRaysInFiveSteps};
+  }
   // Of the others it is not read.
   if (sensor.name() == "cam0" && is_number(sensor.node("timeshift_cam_imu")))
     camera.time_offset_s = static_cast<double>(sensor.node("timeshift_cam_imu"));

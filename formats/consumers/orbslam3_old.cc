@@ -15,10 +15,11 @@ namespace {
 constexpr std::array<std::string_view, 4> kPinholeKeys = {"Camera.k1", "Camera.k2", "Camera.p1", "Camera.p2"};
 constexpr std::array<std::string_view, 4> kRadialNames = {"k1", "k2", "k3", "k4"};
 
-/// A camera's formula; the other direction where it is known to go wrong.
+/// A camera's formula; the other direction where it is known to go wrong, and how.
 struct Lens {
   Projection project;
-  Unprojection unproject;
+  Unprojection unproject = {};
+  Code fault = {};
 };
 
 class Parser {
@@ -85,7 +86,7 @@ class Parser {
   void add_camera(std::string name, Lens lens) {
     view_.cameras.push_back({std::move(name), width_, height_, std::move(lens.project), {scale_, scale_}});
     view_.cameras.back().unproject = std::move(lens.unproject);
-    view_.cameras.back().unproject_fault = {Code::kRaysUpToNinety};
+    view_.cameras.back().unproject_fault = {lens.fault};
     view_.cameras.back().model = type_;
   }
 
@@ -97,11 +98,12 @@ class Parser {
     if (k3.isReal()) distortion.back() = static_cast<float>(k3.real());
     if (k3.isInt()) settings_.warn_at("Camera.k3", Code::kOrbslamK3IsInt, {settings_.program()});
     drop_distortion_without_k1(distortion);
-    add_camera("cam0", {pinhole(k, distortion), {}});
+    add_camera("cam0", sensor_.stereo ? Lens{pinhole(k, distortion)}
+                                      : Lens{pinhole(k, distortion), pinhole_rays(k, distortion), Code::kRaysInFiveSteps});
     const float baseline = k.fx != 0.0F ? settings_.loose("Camera.bf") * scale_ / k.fx : 0.0F;
     if (sensor_.rgbd) view_.baseline_m = baseline;
     if (!sensor_.stereo) return;
-    add_camera("cam1", {pinhole(k, distortion), {}});  // the images are taken as rectified
+    add_camera("cam1", {pinhole(k, distortion)});  // the images are taken as rectified
     if (k.fx != 0.0F) view_.poses.push_back(rectified_baseline(baseline));
     if (settings_.has("RIGHT.K")) settings_.warn(Code::kOrbslamRectifiedElsewhere);
   }
@@ -119,13 +121,13 @@ class Parser {
     std::array<float, 4> radial{};
     for (std::size_t i = 0; i < radial.size(); ++i)
       radial.at(i) = settings_.real(camera + "." + std::string(kRadialNames.at(i)));
-    return {kannala_brandt8(k, radial), kannala_brandt8_rays(k, radial)};
+    return {kannala_brandt8(k, radial), kannala_brandt8_rays(k, radial), Code::kRaysUpToNinety};
   }
 
   Lens read_double_sphere(const std::string& camera) {
     const Intrinsics k = read_intrinsics(camera);
     const float xi = settings_.real(camera + ".xi");
-    return {double_sphere(k, xi, settings_.real(camera + ".alpha")), {}};
+    return {double_sphere(k, xi, settings_.real(camera + ".alpha"))};
   }
 
   void read_fisheye(Lens (Parser::*read)(const std::string&)) {

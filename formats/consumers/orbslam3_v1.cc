@@ -264,6 +264,9 @@ class Parser {
     if (bends) {
       result.unproject = kannala_brandt8_rays(k, camera.radial);
       result.unproject_fault = {Code::kRaysUpToNinety};
+    } else if (!sensor_.stereo && !pinhole_depth_) {  // stereo goes through maps
+      result.unproject = pinhole_rays(k, camera.pinhole);
+      result.unproject_fault = {Code::kRaysInFiveSteps};
     }
     result.model = type_;
     return result;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "orbslam_shared.h"
 
+#include "opencv_formulas.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -71,6 +73,16 @@ Projection pinhole(const Intrinsics& k, const PinholeDistortion& distortion) {
     const double xd = x * radial + 2.0 * p1 * x * y + p2 * (r2 + 2.0 * x * x);
     const double yd = y * radial + p1 * (r2 + 2.0 * y * y) + 2.0 * p2 * x * y;
     return finite_pixel(k.fx * xd + k.cx, k.fy * yd + k.cy);
+  };
+}
+
+Unprojection pinhole_rays(const Intrinsics& k, const PinholeDistortion& distortion) {
+  const opencv::CameraMatrix K = {k.fx, k.fy, k.cx, k.cy, 0.0};
+  opencv::PinholeCoefficients coefficients{};
+  std::ranges::copy(distortion, coefficients.begin());
+  return [K, coefficients](const Pixel& pixel) -> std::optional<Ray> {
+    const Pixel point = opencv::undistort_point(K, coefficients, pixel);
+    return Ray{point[0], point[1], 1.0};
   };
 }
 

@@ -39,6 +39,8 @@ struct Intrinsics {
 using PinholeDistortion = std::array<float, 5>;
 
 [[nodiscard]] Projection pinhole(const Intrinsics& k, const PinholeDistortion& distortion);
+/// Frame::UndistortKeyPoints, of the modes that call it.
+[[nodiscard]] Unprojection pinhole_rays(const Intrinsics& k, const PinholeDistortion& distortion);
 [[nodiscard]] Projection kannala_brandt8(const Intrinsics& k, const std::array<float, 4>& coeffs);
 /// Of ORB-SLAM3: right only for rays in front of the camera.
 [[nodiscard]] Unprojection kannala_brandt8_rays(const Intrinsics& k, const std::array<float, 4>& coeffs);

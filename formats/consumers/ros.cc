@@ -378,10 +378,12 @@ ConsumerView load_ros(std::string_view bytes, const LoadOptions& /*options*/) {
   camera.width = static_cast<int>((whole ? info.width : info.roi_width) / std::max(info.binning_x, 1U));
   camera.height = static_cast<int>((whole ? info.height : info.roi_height) / std::max(info.binning_y, 1U));
   camera.model = info.distortion_model;
-  camera.misread = is_misread(info, model) || cameras > 1;
+  const double skew_px = info.K[1];
+  camera.misread = is_misread(info, model) || cameras > 1 || skew_px != 0.0;
+  if (skew_px != 0.0) view.warnings.emplace_back(Code::kRosSaysSkewUnused, "camera_matrix", std::vector<Argument>{skew_px});
   if (cameras > 1) {
     view.warnings.emplace_back(Code::kRosSaysLastCameraKept, "", std::vector<Argument>{cameras});
-  } else if (camera.misread) {
+  } else if (is_misread(info, model)) {
     const bool fisheye = info.distortion_model == "equidistant";
     view.warnings.emplace_back(fisheye ? Code::kRosSaysFisheyeOfZeros : Code::kRosSaysCoefficientsOfZeros,
                                "distortion_coefficients");

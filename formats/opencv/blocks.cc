@@ -88,7 +88,7 @@ std::vector<double> values_of(const CameraModel& model, std::span<const Paramete
 
 /// The coefficients of a model, as many as the base's (`there`, 0: any) where the reader takes those for the same model.
 std::vector<double> coefficients(const CameraModel& model, std::size_t there) {
-  const std::string_view id = model_info(model).id;
+  const std::string_view id = lens_id(model);
   const std::span<const ParameterId> of_opencv(kOpenCvCoefficients);
   if (id == "kb4") return values_of(model, kFisheyeCoefficients);
   if (id == "mei") return values_of(model, of_opencv.first(4));
@@ -155,12 +155,13 @@ void FieldMaker::add_lens(const Camera& camera, const CameraKeys& keys, bool kep
   if (K.size() != 9) K = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0};
   K[0] = value_of(camera.model, "fx");
   K[4] = value_of(camera.model, "fy");
+  K[keys.transposed ? 3 : 1] = without_skew(camera.model).skew_px;
   K[keys.transposed ? 6 : 2] = value_of(camera.model, "cx");
   K[keys.transposed ? 7 : 5] = value_of(camera.model, "cy");
   fields.push_back(matrix_as(keys.matrix, K, 3, K_there));
   if (!keys.radial.empty()) {
     const Node* radial = there(mapping, keys.radial);
-    const bool straight = model_info(camera.model).id == "pinhole";
+    const bool straight = lens_id(camera.model) == "pinhole";
     std::vector<double> k = straight ? std::vector<double>(3, 0.0) : values_of(camera.model, kRadial);
     if (k[2] == 0.0 && count_in(radial) == 2) k.resize(2);
     fields.push_back(vector_as(keys.radial, k, true, radial));
@@ -173,7 +174,7 @@ void FieldMaker::add_lens(const Camera& camera, const CameraKeys& keys, bool kep
   const Node* D_there = there(mapping, keys.distortion);
   const std::size_t count = count_in(D_there);
   // A base without coefficients says a pinhole so.
-  const bool none = base_ != nullptr && kept_length && count == 0 && model_info(camera.model).id == "pinhole";
+  const bool none = base_ != nullptr && kept_length && count == 0 && lens_id(camera.model) == "pinhole";
   if (!keys.distortion.empty() && !none) {
     fields.push_back(
         vector_as(keys.distortion, coefficients(camera.model, kept_length ? count : 0), layout_.row_vectors, D_there));

@@ -48,7 +48,7 @@ std::optional<std::vector<std::size_t>> places_in(const Rig& old, const Rig& rig
 bool adapt_keys(const Base& base, const Camera& before, const Camera& after, CameraKeys& keys) {
   const Kind was = kind_of(before.model);
   const Kind is = kind_of(after.model);
-  const std::string_view id = model_info(after.model).id;
+  const std::string_view id = lens_id(after.model);
   if (!keys.radial.empty()) {
     if (id != "radtan" && id != "pinhole") return false;
     const bool tangential = id == "radtan" && (parameter(after.model, "p1") != 0.0 || parameter(after.model, "p2") != 0.0);

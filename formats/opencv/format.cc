@@ -18,6 +18,10 @@ constexpr std::array kModels = {
     StoredModel{"pinhole", "5 zeros", true, "cv::projectPoints", {}},
     StoredModel{"kb4", "fisheye", true, "cv::fisheye (rays inside 90 deg)", {}},
     StoredModel{"mei", "omnidir", true, "cv::omnidir", {}, {}, true},
+    StoredModel{"mei-skew", "omnidir with K(0, 1)", true, "cv::omnidir", {}, {}, true},
+    StoredModel{"radtan-skew", "5 coefficients with K(0, 1)", false, "cv::projectPoints without the skew", {}},
+    StoredModel{"rational-skew", "8 coefficients with K(0, 1)", false, "cv::projectPoints without the skew", {}},
+    StoredModel{"kb4-skew", "fisheye with K(0, 1)", false, "cv::fisheye without the skew", {}},
 };
 
 ProbeResult probe(const text::Document& document) {

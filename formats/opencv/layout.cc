@@ -247,9 +247,18 @@ Message said_by(const CameraKeys& keys) {
 }  // namespace
 
 Kind kind_of(const CameraModel& model) {
-  const std::string_view id = model_info(model).id;
+  const std::string_view id = straight_id(model);
   if (id == "kb4") return Kind::kFisheye;
   return id == "mei" ? Kind::kOmnidir : Kind::kPinhole;
+}
+
+std::string_view lens_id(const CameraModel& model) {
+  const auto [straight, skew_px] = without_skew(model);
+  // A pinhole with skew is radtan's.
+  const bool has_lens = std::ranges::any_of(
+      kOpenCvCoefficients, [&straight](ParameterId id) { return parameter(straight, id).value_or(0.0) != 0.0; });
+  const std::string_view id = model_info(straight).id;
+  return skew_px != 0.0 && id == "radtan" && !has_lens ? "pinhole" : id;
 }
 
 bool is_matrix(const Node& node) {

@@ -19,6 +19,8 @@ namespace fca::opencv {
 enum class Kind { kPinhole, kFisheye, kOmnidir };
 
 [[nodiscard]] Kind kind_of(const CameraModel& model);
+/// The id of the model that the coefficients are of, whatever the camera matrix says.
+[[nodiscard]] std::string_view lens_id(const CameraModel& model);
 
 /// Two keys, or one with both numbers. All empty: the file does not say.
 struct SizeKeys {

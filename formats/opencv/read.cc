@@ -54,7 +54,7 @@ class CalibrationReader {
     good = set(*K, 4, K_label, "fy", camera.model, reader_) && good;
     good = set(*K, cx, K_label, "cx", camera.model, reader_) && good;
     good = set(*K, cy, K_label, "cy", camera.model, reader_) && good;
-    good = check_skew(*K, keys, K_label, camera.model) && good;
+    good = take_skew(*K, keys, K_label, camera.model) && good;
     if (!good) return;
     camera.image_size = read_size(keys, map);
     read_map_pose(keys, map, name, rig);
@@ -88,14 +88,19 @@ class CalibrationReader {
     return true;
   }
 
-  /// None of our models has a skew: it must not vanish unsaid.
-  bool check_skew(const Numbers& K, const CameraKeys& keys, const std::string& what, const CameraModel& model) {
+  bool take_skew(const Numbers& K, const CameraKeys& keys, const std::string& what, CameraModel& model) {
     const std::size_t place = keys.transposed ? 3 : 1;
-    const double skew = K.values[place];
-    if (skew == 0.0) return true;
-    const bool omnidir = kind_of(model) == Kind::kOmnidir;
-    reader_.say(*K.nodes[place], omnidir ? Code::kOpencvSkewOfOmnidir : Code::kOpencvSkew, {what, skew, model_info(model).id});
-    return false;
+    const double skew_px = K.values[place];
+    if (skew_px == 0.0) return true;
+    const std::optional<CameraModel> skewed = with_skew(model, 0.0);
+    if (!skewed) {
+      reader_.say(*K.nodes[place], Code::kOpencvSkew, {what, skew_px, model_info(model).id});
+      return false;
+    }
+    model = *skewed;
+    if (!set(K, place, what, "skew", model, reader_)) return false;
+    if (kind_of(model) != Kind::kOmnidir) reader_.say(*K.nodes[place], Code::kOpencvSkewKept, {what, skew_px});
+    return true;
   }
 
   std::optional<ImageSize> read_size(const CameraKeys& keys, const Node& map) {

@@ -28,7 +28,7 @@ std::string_view model_of(std::string_view distortion_model) {
 }
 
 std::string_view name_of(const CameraModel& model) {
-  const auto* const found = std::ranges::find(kNames, model_info(model).id, &Names::model);
+  const auto* const found = std::ranges::find(kNames, straight_id(model), &Names::model);
   return found == kNames.end() ? std::string_view() : found->distortion_model;
 }
 
@@ -37,7 +37,7 @@ std::vector<double> coefficients_of(const CameraModel& model) {
   const auto add = [&](std::span<const ParameterId> coefficients) {
     for (const ParameterId coefficient : coefficients) values.push_back(parameter(model, coefficient).value());
   };
-  const std::string_view id = model_info(model).id;
+  const std::string_view id = straight_id(model);
   std::vector<double> zeros(kRadtanCount, 0.0);
   if (id == "pinhole") return zeros;
   if (id == "kb4") {
@@ -52,7 +52,7 @@ std::vector<double> coefficients_of(const CameraModel& model) {
 
 Matrix3 camera_matrix_of(const CameraModel& model) {
   const auto value = [&model](ParameterId id) { return parameter(model, id).value(); };
-  return {value("fx"), 0.0, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0};
+  return {value("fx"), without_skew(model).skew_px, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0};
 }
 
 PixelMap Reduction::map() const {

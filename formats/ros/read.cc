@@ -48,10 +48,6 @@ class CameraReader {
       reader_.say(*K.nodes[6], Code::kRosMatrixTransposed);
       return false;
     }
-    if (k[1] != 0.0) {
-      reader_.say(*K.nodes[1], Code::kRosSkew, {k[1]});
-      return false;
-    }
     for (const std::size_t place : {3U, 6U, 7U}) {
       if (k[place] == 0.0) continue;
       reader_.say(*K.nodes[place], Code::kRosNotACameraMatrix, {k[place]});
@@ -70,7 +66,17 @@ class CameraReader {
     take(4, "fy");
     take(2, "cx");
     take(5, "cy");
-    return good;
+    const double skew_px = info_.K->values[1];
+    if (skew_px == 0.0) return good;
+    const std::optional<CameraModel> skewed = with_skew(model, 0.0);
+    if (skewed) {
+      model = *skewed;
+      take(1, "skew");
+      reader_.say(*info_.K->nodes[1], Code::kRosSkewKept, {skew_px});
+    } else {
+      reader_.say(*info_.K->nodes[1], Code::kRosSkew, {skew_px});
+    }
+    return good && skewed;
   }
 
   std::optional<Family> family() {
@@ -237,7 +243,7 @@ class CameraReader {
   /// image_geometry takes a camera whose coefficients are all 0 for one that is rectified already: by P, without R.
   void warn_of_zeros(const Camera& camera) {
     if (!info_.D->all_zero() || !info_.P || info_.P->values[0] == 0.0) return;
-    if (model_info(camera.model).id == "kb4") {
+    if (straight_id(camera.model) == "kb4") {
       reader_.say(*info_.D->place, Code::kRosFisheyeOfZeros);
       return;
     }

@@ -120,7 +120,7 @@ class Editor {
     std::vector<double> values = coefficients_of(now);
     const Numbers& there = *info_.D;
     // plumb_bob may go without its k3, and any list end in zeros; an .ini says the model by the count.
-    const bool opencv = model_info(now).id != "kb4";
+    const bool opencv = straight_id(now) != "kb4";
     const auto last = std::ranges::find_if(values.rbegin(), values.rend(), [](double value) { return value != 0.0; });
     const auto meant = static_cast<std::size_t>(values.rend() - last);
     constexpr std::size_t kFewest = 4;
@@ -218,7 +218,7 @@ class BaseFile {
 bool can_store_in_ini(const Rig& rig, Diagnostics& diagnostics) {
   bool good = true;
   for (const Camera& camera : rig.cameras) {
-    const std::string_view model = model_info(camera.model).id;
+    const std::string_view model = straight_id(camera.model);
     if (ini_holds(model)) continue;
     diagnostics.add(Code::kRosIniHasNoModel, {camera.name, model});
     good = false;
@@ -227,7 +227,7 @@ bool can_store_in_ini(const Rig& rig, Diagnostics& diagnostics) {
 }
 
 bool ini_holds_all(const Rig& rig) {
-  return std::ranges::all_of(rig.cameras, [](const Camera& camera) { return ini_holds(model_info(camera.model).id); });
+  return std::ranges::all_of(rig.cameras, [](const Camera& camera) { return ini_holds(straight_id(camera.model)); });
 }
 
 constexpr std::string_view kIniExtension = ".ini";

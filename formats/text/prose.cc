@@ -43,7 +43,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-/// The one, so far as it goes: "orb" of "orbslam3". What is too short begins much.
+/// Is `word` what `of` begins with ("orb" of "orbslam3")? A short word begins much.
 bool is_beginning(std::string_view word, std::string_view of) {
   constexpr std::size_t kShortest = 3;
   return word.size() >= kShortest && of.starts_with(word);
@@ -55,6 +55,7 @@ std::optional<std::size_t> wrong_letters(std::string_view typed, std::string_vie
   constexpr std::size_t kOneIn = 3;
   if (is_beginning(typed, name) || (name.size() > kShort && is_beginning(name, typed))) return 1;
   if (typed.empty() || name.empty()) return std::nullopt;
+  if (is_misspelling(typed, name)) return 1;
   const std::size_t wrong = edit_distance(typed.substr(0, 64), name);
   const bool is_short = std::min(typed.size(), name.size()) <= kShort;
   const bool is_near =

@@ -234,6 +234,8 @@ bool is_about_end(const Refusal& refusal, const Source& source) {
   const std::string_view rest = std::string_view(source.bytes).substr(std::min(refusal.offset, source.bytes.size()));
   switch (refusal.message.code) {
     case Code::kYamlKeyWithoutColon:
+      // Several words lack a colon.
+      return rest.find_first_of(" \n") == std::string_view::npos;
     case Code::kYamlQuoteOpen:
       return rest.find('\n') == std::string_view::npos;
     case Code::kYamlSyntax: {

@@ -215,6 +215,16 @@ void polar_form(const Intrinsics<Woodscape>& model, const AngleSeries& angle, Po
   set_radial(form, {p[5], p[6]}, {1.0, 0.0, 0.0, p[4]}, polynomial_of_angle(std::array{p[0], p[1], p[2], p[3]}, angle.at));
 }
 
+void add_skew(double skew_px, double focal_v, double centre_v, PolarSeries& form) {
+  const Ball shear = exactly(skew_px) / exactly(focal_v);
+  for (std::size_t j = 0; j < kHarmonics; ++j) {
+    if (!form.used[1][j]) continue;
+    const Series moved = shear * (j == 0 ? exactly(-centre_v) + form.of[1][j] : form.of[1][j]);
+    form.set(0, j, form.used[0][j] ? form.of[0][j] + moved : moved);
+  }
+  form.series_rest_px[0] += shear.magnitude() * form.series_rest_px[1];
+}
+
 void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, PolarSeries& form) {
   const double* p = model.values.data();
   polar_form(rational_part(model), angle, form);

@@ -18,6 +18,7 @@
 
 #include <fca/models/camera_model.h>
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 
@@ -63,6 +64,17 @@ void polar_form(const Intrinsics<Woodscape>& model, const AngleSeries& angle, Po
 void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, PolarSeries& form);
 /// With it.
 void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, PolarSeriesOf<kTiltedHarmonics>& form);
+
+/// Moves the column by `skew_px` times how far the row is from `centre_v`, over `focal_v`.
+void add_skew(double skew_px, double focal_v, double centre_v, PolarSeries& form);
+
+template <class M>
+void polar_form(const Intrinsics<Skewed<M>>& model, const AngleSeries& angle, PolarSeries& form) {
+  Intrinsics<M> straight;
+  std::copy_n(model.values.begin(), straight.values.size(), straight.values.begin());
+  polar_form(straight, angle, form);
+  add_skew(model.values[Skewed<M>::kSkew], model.values[1], model.values[3], form);
+}
 
 /// True if the image plane is tilted.
 template <class M>

@@ -114,10 +114,27 @@ std::optional<Intrinsics<Kb4>> as_cubic(const CameraModel& source) {
   return std::nullopt;
 }
 
+/// Of the model that has the skew besides; the id itself of any other model.
+std::string_view id_without_skew(std::string_view id) {
+  ModelList::for_each([&id]<class M>() {
+    if constexpr (kIsSkewed<M>) {
+      if (M::kId == id) id = M::Straight::kId;
+    }
+  });
+  return id;
+}
+
 }  // namespace
 
 std::optional<CameraModel> convert_exactly(const CameraModel& source, std::string_view target_id) {
   if (model_info(source).id == target_id) return source;
+  const auto [straight, skew_px] = without_skew(source);
+  if (const std::string_view straight_id = id_without_skew(target_id); straight_id != target_id) {
+    const std::optional<CameraModel> converted = convert_exactly(straight, straight_id);
+    return converted ? with_skew(*converted, skew_px) : std::nullopt;
+  }
+  if (skew_px != 0.0) return std::nullopt;
+  if (straight != source) return convert_exactly(straight, target_id);
   std::optional<Intrinsics<Radtan>> radtan = as_radtan(source);
   std::optional<Intrinsics<Ucm>> ucm = as_ucm(source);
   if (const std::optional<Intrinsics<Pinhole>> pinhole = as_pinhole(source)) {
@@ -180,8 +197,18 @@ std::string_view contained_model(std::string_view id) {
     std::string_view inner;
   };
   static constexpr Containment kContainments[] = {
-      {Radtan::kId, Pinhole::kId}, {Rational::kId, Radtan::kId}, {Ucm::kId, Pinhole::kId},       {Eucm::kId, Ucm::kId},
-      {Ds::kId, Ucm::kId},         {Mei::kId, Ucm::kId},         {Ocamcalib::kId, Pinhole::kId}, {Opencv14::kId, Rational::kId},
+      {Radtan::kId, Pinhole::kId},
+      {Rational::kId, Radtan::kId},
+      {Ucm::kId, Pinhole::kId},
+      {Eucm::kId, Ucm::kId},
+      {Ds::kId, Ucm::kId},
+      {Mei::kId, Ucm::kId},
+      {Ocamcalib::kId, Pinhole::kId},
+      {Opencv14::kId, Rational::kId},
+      {Skewed<Radtan>::kId, Radtan::kId},
+      {Skewed<Rational>::kId, Rational::kId},
+      {Skewed<Kb4>::kId, Kb4::kId},
+      {Skewed<Mei>::kId, Mei::kId},
   };
   for (const Containment& c : kContainments) {
     if (c.outer == id) return c.inner;

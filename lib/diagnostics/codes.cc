@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "rows.h"
 #include "topics.h"
 
 #include <algorithm>
@@ -72,7 +73,9 @@ std::span<const CodeInfo> all_codes() {
   return rows;
 }
 
-bool is_code(std::string_view id) { return std::ranges::find(all_codes(), id, &CodeInfo::id) != all_codes().end(); }
+bool is_code(std::string_view id) {
+  return id != diagnostics::kClauseId && std::ranges::find(all_codes(), id, &CodeInfo::id) != all_codes().end();
+}
 
 const CodeInfo& info(Code code) {
   static constexpr CodeInfo kNothing = {.code = Code::kNone, .id = "", .text = ""};

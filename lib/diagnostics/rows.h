@@ -100,9 +100,12 @@ constexpr CodeInfo mend(Code code, std::string_view id, std::string_view text) {
   return {.code = code, .id = id, .severity = Severity::kNote, .about = About::kReader, .text = text};
 }
 
+/// Of parts of sentences, which nobody asks for by name.
+inline constexpr std::string_view kClauseId = "clause";
+
 /// A part of another sentence, or words for people beside a result.
 constexpr CodeInfo clause(Code code, std::string_view text) {
-  return {.code = code, .id = "clause", .severity = Severity::kNote, .about = About::kMeaning, .text = text};
+  return {.code = code, .id = kClauseId, .severity = Severity::kNote, .about = About::kMeaning, .text = text};
 }
 
 }  // namespace fca::diagnostics

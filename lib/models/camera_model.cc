@@ -180,6 +180,41 @@ std::array<double, 2> central_focal_lengths(const CameraModel& model) {
   return std::visit([]<class M>(const Intrinsics<M>& m) { return M::central_focal_lengths(m.values.data()); }, model);
 }
 
+SkewedModel without_skew(const CameraModel& model) {
+  return std::visit(
+      []<class M>(const Intrinsics<M>& skewed) -> SkewedModel {
+        if constexpr (kIsSkewed<M>) {
+          Intrinsics<typename M::Straight> straight;
+          std::copy_n(skewed.values.begin(), straight.values.size(), straight.values.begin());
+          return {straight, skewed.values[M::kSkew]};
+        } else {
+          return {skewed};
+        }
+      },
+      model);
+}
+
+std::optional<CameraModel> with_skew(const CameraModel& model, double skew_px) {
+  if (const auto* pinhole = std::get_if<Intrinsics<Pinhole>>(&model)) {
+    const auto& [fx, fy, cx, cy] = pinhole->values;
+    return with_skew(Intrinsics<Radtan>{{fx, fy, cx, cy}}, skew_px);
+  }
+  std::optional<CameraModel> result;
+  ModelList::for_each([&]<class M>() {
+    if constexpr (kIsSkewed<M>) {
+      const auto* straight = std::get_if<Intrinsics<typename M::Straight>>(&model);
+      if (straight == nullptr) return;
+      Intrinsics<M> skewed;
+      std::ranges::copy(straight->values, skewed.values.begin());
+      skewed.values[M::kSkew] = skew_px;
+      result = skewed;
+    }
+  });
+  return result;
+}
+
+std::string_view straight_id(const CameraModel& model) { return model_info(without_skew(model).straight).id; }
+
 Message problem_with(const Parameter& parameter, double value) {
   const auto problem = [&](Code code) { return Message{code, {parameter.name, value}}; };
   if (!std::isfinite(value)) return problem(Code::kParameterNotFinite);

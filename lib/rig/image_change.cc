@@ -59,6 +59,16 @@ Values<Woodscape> mapped(std::type_identity<Woodscape> /*model*/, const Values<W
   return std::get<Intrinsics<Woodscape>>(model).values;
 }
 
+template <class M>
+Values<Skewed<M>> mapped(std::type_identity<Skewed<M>> /*model*/, Values<Skewed<M>> p, const PixelMap& map) {
+  Values<M> straight;
+  std::copy_n(p.begin(), straight.size(), straight.begin());
+  straight = mapped(std::type_identity<M>(), straight, map);
+  std::ranges::copy(straight, p.begin());
+  p[Skewed<M>::kSkew] *= map.scale[0];
+  return p;
+}
+
 /// Whole images scaled from one size to another: edges stay edges.
 void scale_to(const std::array<double, 2>& scale, PixelMap& map) {
   for (std::size_t axis = 0; axis < 2; ++axis) {

@@ -739,6 +739,36 @@ TEST(Convert, FourteenCoefficientsAreACamera) {
   EXPECT_STREQ(back.json()["cameras"][0]["to_model"].GetString(), "opencv14");
 }
 
+// What cv::omnidir calibrates by default.
+TEST(Convert, SkewIsKeptWhereTheFormatHasIt) {
+  const TemporaryFolder folder;
+  const std::string omnidir = testdata("formats/opencv/good/skew-omnidir.yaml");
+  const std::string half = folder / "half.yml";
+  const Told opencv({"convert", omnidir, "--to", "opencv", "--resize", "320x240", "-o", half});
+  EXPECT_TRUE(opencv.json()["cameras"][0]["exact"].GetBool()) << opencv.text();
+  EXPECT_STREQ(opencv.json()["verdict"]["word"].GetString(), "ready") << opencv.text();
+  const Told smaller({"show", half});
+  EXPECT_EQ(smaller.json()["files"][0]["cameras"][0]["parameters"]["skew"].GetDouble(), 0.375) << smaller.text();
+  // Kalibr has no place for it: what leaving it out costs is a distance in pixels.
+  const Told kalibr({"convert", omnidir, "--to", "kalibr", "--model", "mei"});
+  ASSERT_EQ(kalibr.code(), 0) << kalibr.text();
+  const auto& camera = kalibr.json()["cameras"][0];
+  EXPECT_STREQ(camera["from_model"].GetString(), "mei-skew");
+  EXPECT_STREQ(camera["to_model"].GetString(), "mei");
+  EXPECT_GT(camera["error_px"]["max"].GetDouble(), 0.05);
+  EXPECT_LT(camera["error_px"]["bound"].GetDouble(), 1.0);
+}
+
+// cv::projectPoints does not read it: a file that keeps it is misread by that much.
+TEST(Convert, SkewThatTheProgramIgnoresIsFittedAway) {
+  const std::string pinhole = testdata("formats/opencv/bad/skew-kept.yaml");
+  const Told ros({"convert", pinhole, "--to", "ros"});
+  EXPECT_STREQ(ros.json()["cameras"][0]["to_model"].GetString(), "radtan") << ros.text();
+  const Told check({"check", pinhole});
+  EXPECT_EQ(check.code(), 0) << check.text();
+  EXPECT_TRUE(contains(check.text(), "skew"));
+}
+
 // Nobody looks for the best model among those that only keep a camera.
 TEST(Convert, NothingIsFittedToFourteenCoefficients) {
   const Told run({"convert", kTumvi, "--camera", "cam0", "--to", "opencv"});

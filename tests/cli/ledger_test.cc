@@ -200,6 +200,12 @@ Rig one_camera(const std::string& model) {
   if (model == "ocamcalib") return rig_in(read_file(testdata("formats/ocamcalib/good/toolbox.txt")));
   if (model == "woodscape") return rig_in(read_file(testdata("formats/woodscape/good/front.json")));
   if (model == "opencv14") return rig_in(read_file(testdata("formats/ros/good/tilted.yaml")));
+  constexpr std::string_view kSkew = "-skew";
+  if (model.ends_with(kSkew)) {
+    Rig rig = one_camera(model.substr(0, model.size() - kSkew.size()));
+    rig.cameras[0].model = with_skew(rig.cameras[0].model, 0.75).value();
+    return rig;
+  }
   if (model != "rational") return plain_rig(model, 1);
   Rig rig = plain_rig("radtan", 1);
   rig.cameras[0].model =

@@ -78,6 +78,14 @@ TEST(ModelFolder, WrittenElsewhereItKeepsItsPoses) {
     EXPECT_LT(largest_difference(*was.resolve("cam1", "cam0"), *now.resolve("cam1", "cam0")).distance, 1e-15);
     EXPECT_EQ(files_in(model), before);
   }
+  // With the rigs' own numbers and comments, into its own folder, too.
+  folder.write("model/rigs.txt", "# somebody's rig\n7" + before.at("rigs.txt").substr(before.at("rigs.txt").rfind("\n1 ") + 2));
+  const std::string rigs = files_in(model).at("rigs.txt");
+  for (const std::string& out : {folder / "again/", model})
+    EXPECT_EQ(run_program({"convert", model, "--to", "colmap", "--force", "-o", out}).code, 0) << out;
+  EXPECT_EQ(files_in(folder.path() / "again").at("rigs.txt"), rigs);
+  EXPECT_EQ(files_in(model).at("rigs.txt"), rigs);
+  EXPECT_FALSE(files_in(model).contains("rig_config.json"));
   // In one file there is no place for them.
   const Told alone({"convert", model, "--to", "colmap", "-o", folder / "cameras.txt"});
   EXPECT_STREQ(alone.json()["verdict"]["word"].GetString(), "use-with-care");
@@ -146,8 +154,11 @@ TEST(ModelFolder, IsCheckedAsItsProgramOpensIt) {
   const TemporaryFolder folder;
   const std::string out = (folder / "model") + "/";
   EXPECT_EQ(run_program({"convert", kTumvi, "--to", "colmap", "-o", out}).code, 0);
-  for (const char* program : {"colmap", "gsplat", "lichtfeld"})
-    EXPECT_EQ(run_program({"check", out, "--for", program}).code, 0) << program;
+  for (const auto& [program, files] : {std::pair("colmap", 3U), {"gsplat", 1U}, {"lichtfeld", 1U}}) {
+    const Told check({"check", out, "--for", program});
+    EXPECT_EQ(check.code(), 0) << check.text();
+    EXPECT_EQ(check.json()["files"].Size(), files) << check.text();
+  }
   EXPECT_EQ(run_program({"check", out + "rig_config.json", "--for", "gsplat"}).code, 1);
 }
 

@@ -49,6 +49,7 @@ TEST(Names, SuggestionsAreNear) {
   const auto only = [](std::string name) { return std::vector{std::move(name)}; };
   for (const auto& [typed, meant] : {std::pair{"kalbir", "kalibr"},
                                      {"kal", "kalibr"},
+                                     {"klaibr", "kalibr"},
                                      {"orb", "orbslam3"},
                                      {"rost", "ros"},
                                      {"rot", "ros"},
@@ -62,6 +63,7 @@ TEST(Names, AnOptionThatIsNearlyOneIsNamed) {
   const RunResult run = run_program({"convert", kTumvi, "--too", "kalibr"});
   EXPECT_EQ(run.code, 3);
   EXPECT_TRUE(contains(run.err, "--to?")) << run.err;
+  EXPECT_TRUE(contains(run_program({"convert", kTumvi, "--mdoel", "ds"}).err, "--model?"));
   const RunResult other = run_program({"convert", kTumvi, "--qqqqqq"});
   EXPECT_EQ(other.code, 3);
   EXPECT_TRUE(contains(other.err, "--qqqqqq")) << other.err;

@@ -215,7 +215,9 @@ TEST(Toolkit, ARequestThatLacksSomethingIsRefused) {
   EXPECT_TRUE(has(nothing.diagnostics, "no-input"));
   ConvertRequest unknown = request_for(kDs, "kalibr");
   unknown.accepted = {{"no-such-code"}};
-  EXPECT_TRUE(has(convert(unknown, files).diagnostics, "unknown-code"));
+  const ConvertResult not_known = convert(unknown, files);
+  EXPECT_EQ(not_known.status, Status::kBadRequest);
+  EXPECT_TRUE(has(not_known.diagnostics, "unknown-code"));
 
   EXPECT_EQ(read({}, files).status, Status::kBadRequest);
   EXPECT_EQ(report({}, files).status, Status::kBadRequest);

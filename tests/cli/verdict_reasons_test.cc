@@ -198,6 +198,7 @@ TEST(VerdictReasons, TheNameOfAFileDecidesWhatCuvslamReads) {
   const Told written({"convert", kTumvi, "--camera", "cam0", "--to", "cuvslam", "-o", out});
   EXPECT_EQ(codes_of(written).count("pixels-off"), 0U) << written.text();
   const std::string bytes = read_file(out + "mav0/cam0/sensor_recalibrated.yaml");
+  EXPECT_EQ(Told({"show", out}).json()["files"][0]["cameras"].Size(), 1U);
   const Told check({"check", folder.write("sensor.yaml", bytes), "--for", "cuvslam"});
   EXPECT_EQ(word_of(check), "do-not-use") << check.text();
   const Told renamed({"check", folder.write("sensor_recalibrated.yaml", bytes), "--for", "cuvslam"});
@@ -259,7 +260,9 @@ TEST(VerdictReasons, AParameterThatTheProgramDoesNotReadIsFittedAway) {
   std::vector<std::string> as_radtan = words;
   as_radtan.insert(as_radtan.end(), {"--model", "radtan"});
   const Told asked(as_radtan);
+  ASSERT_NE(asked.json()["cameras"].Size(), 0U) << asked.text();
   EXPECT_EQ(codes_of(asked).count("proof-failed"), 0U) << asked.text();
+  EXPECT_FALSE(contains(asked.bytes(), "\"k3\"")) << asked.bytes();
 }
 
 // The base's images have a size, and nobody says that the input's have the same.

@@ -29,10 +29,6 @@ constexpr Refused kRefused[] = {
      "camera_model: pinhole/radial"},
     {"kalibr/mrastgoo__camera_imu_calibration_kalibr_viper__imu_3Dx-GX3-35__11d5c0d.yaml", "merge-conflict",
      "git's markers stand in it"},
-    {"opencv/ScanVan__Calibration-CPP__out_camera_omni.xml", "skew", "K(0, 1) = 0.697"},
-    {"opencv/ZJUZQ__camera_calib_opencv__omni_camera_params.xml", "skew", "K(0, 1) = 21.2"},
-    {"opencv/ZJUZQ__camera_calib_opencv__out_camera_params.xml", "skew", "K(0, 1) = 21.3"},
-    {"opencv/SupernovaIndustries__unlook-standalone__calib-matlab-complete-export.yaml", "skew", "K(0, 1) = -1.02 and -1.53"},
     {"kimera/MIT-SPARK__Kimera-VIO__scripts__kalibr__templates__camera.yaml", "yaml-key",
      "a template: {{ camera_id }} stands where a value belongs"},
 };

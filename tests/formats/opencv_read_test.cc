@@ -84,11 +84,12 @@ TEST(OpenCvRead, NoTermIsDropped) {
   };
   EXPECT_EQ(model(head + D(12, "0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0., 0., 0.25, 0.")), opencv14(0.25, 0.0));
   EXPECT_EQ(model(head + D(14, "0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0., 0., 0., 0., 0., 0.125")), opencv14(0.0, 0.125));
-  EXPECT_EQ(codes(kHead + K("camera_matrix", "500., 0.5, 320., 0., 501., 240., 0., 0., 1.") + D(5, "0., 0., 0., 0., 0.")),
-            "skew");
-  EXPECT_EQ(
-      codes(kHead + K("camera_matrix", "500., 0.5, 320., 0., 501., 240., 0., 0., 1.") + D(4, "0., 0., 0., 0.") + "xi: 1.5\n"),
-      "skew");
+  const std::string skewed = kHead + kSize + K("camera_matrix", "500., 0.5, 320., 0., 501., 240., 0., 0., 1.");
+  EXPECT_EQ(model(skewed + D(5, "0., 0., 0., 0., 0.")),
+            model_of("radtan-skew", {500.0, 501.0, 320.0, 240.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5}));
+  EXPECT_EQ(model(skewed + D(4, "0.1, 0., 0., 0.") + "xi: 1.5\n"),
+            model_of("mei-skew", {500.0, 501.0, 320.0, 240.0, 1.5, 0.1, 0.0, 0.0, 0.0, 0.5}));
+  EXPECT_EQ(codes(skewed + D(12, "0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.25, 0., 0., 0.")), "skew");
   for (const char* count : {"1", "2", "3", "6", "7", "9", "13"}) {
     std::string zeros = "0.5";
     for (int i = 1; i < std::stoi(count); ++i) zeros += ", 0.";

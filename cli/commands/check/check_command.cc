@@ -23,13 +23,10 @@ namespace fca::cli {
 
 namespace {
 
-/// Parts of sentences, which have no id of their own.
-bool is_clause(const CodeInfo& code) { return code.id == info(Code::kVerdictCause).id; }
-
 std::vector<std::string> code_names() {
   std::set<std::string> names;
   for (const CodeInfo& code : all_codes()) {
-    if (!is_clause(code)) names.emplace(code.id);
+    if (is_code(code.id)) names.emplace(code.id);
   }
   return {names.begin(), names.end()};
 }
@@ -42,7 +39,7 @@ std::string unknown_code(const std::string& code) {
 std::optional<std::string> take_code(const std::string& id, const CodeInfo*& target) {
   target = find_check_code(id);
   if (target != nullptr) return std::nullopt;
-  const auto row = std::ranges::find_if(all_codes(), [&id](const CodeInfo& code) { return code.id == id && !is_clause(code); });
+  const auto row = std::ranges::find_if(all_codes(), [&id](const CodeInfo& code) { return code.id == id && is_code(id); });
   if (row == all_codes().end()) return unknown_code(id);
   target = &*row;
   return std::nullopt;
@@ -108,14 +105,6 @@ void add_parts(const std::vector<std::string>& parts, std::size_t index, std::ve
   }
 }
 
-/// Does the program never open that file of its folder?
-bool is_never_opened(const CheckResult& result) {
-  const std::optional<ProofResult>& proof = result.report.proof;
-  return proof && std::ranges::any_of(proof->refusals, [](const consumers::Complaint& refusal) {
-           return refusal.facts.code == Code::kColmapSaysRigFile;
-         });
-}
-
 ExitCode run_check(const CheckArguments& arguments, Console& console) {
   if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
   if (arguments.list_codes) {
@@ -151,7 +140,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
     if (arguments.fix) exit_code = worse(exit_code, fix(*source, arguments, console));
     CheckResult result = check(arguments.request, *source, console.files());
     if (result.instead) name_as_written(*result.instead);
-    if (!file.named && (!result.report.is_calibration || is_never_opened(result))) {
+    if (!file.named && (!result.report.is_calibration || !result.is_opened)) {
       all.skipped.push_back(file.path);
       continue;
     }

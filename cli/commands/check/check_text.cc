@@ -102,7 +102,7 @@ std::string check_summary(const CheckedFiles& checked) {
   const std::string text = "\n" + counted(checked.files.size(), "file") + " checked: " + words.in_words();
   if (checked.skipped.empty()) return text + "\n";
   const std::string hold = checked.skipped.size() == 1 ? "holds" : "hold";
-  return text + "; " + counted(checked.skipped.size(), "file") + " skipped that " + hold + " no calibration\n";
+  return text + "; " + counted(checked.skipped.size(), "file") + " skipped that " + hold + " no calibration of the program's\n";
 }
 
 namespace {
@@ -134,10 +134,13 @@ std::string without_values(std::string_view sentence) {
   return text;
 }
 
-/// What a row says in general.
+/// What a row says in general; nothing of one that is values alone.
 std::string sentences_of(const CodeInfo& code) {
   const auto said = [&code](text::Part part) { return without_values(with_options(code.code, part)); };
-  std::string text = paragraph(std::string(code.id) + ": " + said(text::Part::kText), "");
+  constexpr std::ptrdiff_t kOneWord = 3;
+  const std::string what = said(text::Part::kText);
+  if (std::ranges::count_if(what, [](unsigned char c) { return std::isalpha(c) != 0; }) < kOneWord) return "";
+  std::string text = paragraph(std::string(code.id) + ": " + what, "");
   for (const auto& [title, part] :
        {std::pair("why: ", text::Part::kWhy), {"if used: ", text::Part::kConsequence}, {"fix: ", text::Part::kFix}}) {
     const std::string words = said(part);
@@ -165,8 +168,10 @@ std::string explanation(const CodeInfo& code) {
       const std::string sentences = sentences_of(row);
       if (said.insert(sentences).second) text += sentences;
     }
+    if (text.empty() && story_of(code.id).empty()) text = std::string(code.id) + ": what the message says\n";
   }
   const std::string_view story = story_of(code.id);
+  if (text.empty()) return paragraph(std::string(code.id) + ": " + std::string(story), "");
   return story.empty() ? text : text + "\n" + std::string(story) + "\n";
 }
 

@@ -118,7 +118,7 @@ std::vector<std::string> sentences(const std::vector<Mistake>& mistakes) {
 /// One clause of the verdict.
 struct Part {
   std::string text;
-  double apart = std::numeric_limits<double>::infinity();  ///< In units of what counts as alike. Not of a difference: it stays.
+  double apart = std::numeric_limits<double>::infinity();  ///< In units of what counts as alike; 0 of what is the same.
 };
 
 /// What the cameras, poses and numbers come to.
@@ -128,7 +128,7 @@ std::vector<Part> parts_of(const ComparedFile& compared, const std::string& of_i
   std::vector<Part> parts;
   if (const std::string sizes = resolutions(comparison.cameras); !sizes.empty()) parts.push_back({sizes});
   const bool all_same = std::ranges::all_of(comparison.cameras, same);
-  if (all_same && !comparison.cameras.empty()) parts.push_back({same_cameras(comparison.cameras)});
+  if (all_same && !comparison.cameras.empty()) parts.push_back({same_cameras(comparison.cameras), 0.0});
   for (const CameraComparison& camera : comparison.cameras) {
     if (!same(camera)) parts.push_back({different_camera(camera)});
   }
@@ -137,7 +137,7 @@ std::vector<Part> parts_of(const ComparedFile& compared, const std::string& of_i
     return pose.same_but_for_rounding() || (without_rounding && !is_real(pose));
   };
   if (std::ranges::all_of(comparison.poses, same_pose)) {
-    if (!comparison.poses.empty()) parts.push_back({"the same poses"});
+    if (!comparison.poses.empty()) parts.push_back({"the same poses", 0.0});
   } else {
     const double apart = std::ranges::max(comparison.poses, {}, &PoseComparison::apart).apart();
     parts.push_back({different_poses(comparison.poses), apart});
@@ -149,7 +149,7 @@ std::vector<Part> parts_of(const ComparedFile& compared, const std::string& of_i
   return parts;
 }
 
-/// Those that there is room for, in their order: what differs most.
+/// The three that differ most, in their order.
 std::string in_one_line(const std::vector<Part>& parts) {
   constexpr std::size_t kMost = 3;
   std::vector<std::size_t> shown(parts.size());

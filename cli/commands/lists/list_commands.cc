@@ -35,7 +35,8 @@ struct ListArguments {
 std::vector<std::string> model_names(const Format& format, bool stock) {
   std::vector<std::string> names;
   for (const StoredModel& row : format.models) {
-    if (row.stock == stock) names.emplace_back(row.model);
+    // What is only kept beside a model of the list is none of its own.
+    if (row.stock == stock && (stock || !find_model(row.model)->kept_only)) names.emplace_back(row.model);
   }
   return names;
 }
@@ -215,8 +216,10 @@ std::string row_text(const Candidate& candidate, bool is_wide) {
   if (report.exact) {
     text += is_wide ? numbers({"exact", "", "exact", ""}) : numbers({"exact", "", ""});
   } else if (is_wide) {
-    text +=
-        numbers({is_less ? "" : pixels(circle.rms), is_less ? "" : pixels(circle.p99), pixels(error.rms), pixels(error.max)});
+    // A fit to a part of the image has no figures for all of it.
+    const bool is_whole = is_less || !report.fitted_to_cone;
+    text += numbers({is_less ? "" : pixels(circle.rms), is_less ? "" : pixels(circle.p99), is_whole ? pixels(error.rms) : "",
+                     is_whole ? pixels(error.max) : ""});
   } else {
     text += numbers({pixels(error.rms), pixels(error.p99), pixels(error.max)});
   }

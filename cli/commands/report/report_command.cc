@@ -78,7 +78,9 @@ ExitCode put(const ReportArguments& arguments, const std::string& page, Console&
 
 ExitCode run_report(const ReportArguments& arguments, const TypedOptions& typed, Console& console) {
   if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
-  ReportResult result = report(arguments.request, console.files());
+  ReportRequest request = arguments.request;
+  request.conversion.in_detail = true;
+  ReportResult result = report(request, console.files());
   if (result.status > Status::kRejected) return console.refuse(exit_code(result.status), result.diagnostics());
   if (result.conversion) {
     name_as_written(*result.conversion);
@@ -111,7 +113,6 @@ ExitCode run_report(const ReportArguments& arguments, const TypedOptions& typed,
 void add_options(Options& options, ReportArguments& arguments) {
   ReportRequest& request = arguments.request;
   ConvertRequest& conversion = request.conversion;
-  conversion.in_detail = true;
   options.positional("INPUT", "Calibration file(s); '-' is standard input", conversion.inputs.files);
   add_to_option(options, "Show what converting it to this format does", conversion);
   const ModelOption model = {.values = "MODEL|all",

@@ -54,14 +54,23 @@ std::optional<ConvertResult> better_writing(const CheckResult& checked, const Ch
   return is_better ? std::optional(std::move(other)) : std::nullopt;
 }
 
+/// Does it say how cameras sit to each other, and nothing of their lenses?
+bool is_of_rigs(const CheckReport& report) {
+  if (report.holds_no_camera) return true;
+  return report.proof && std::ranges::any_of(report.proof->refusals, [](const consumers::Complaint& refusal) {
+           return refusal.facts.code == Code::kColmapSaysRigFile;
+         });
+}
+
 }  // namespace
 
 CheckResult check(const CheckRequest& request, const text::Source& source, Files& files) {
-  CheckResult result{source, check_file(source, options_for(request, true)), std::nullopt};
+  CheckResult result{source, check_file(source, options_for(request, true))};
   if (result.report.holds_no_camera && request.program != nullptr)
     result.report = check_file(source, options_for(request, false));
   if (request.program != nullptr && source.name != text::kStandardInput && is_for_another_format(result.report))
     result.instead = preview_conversion(source.name, request.inputs, *request.program, files);
+  result.is_opened = request.program == nullptr || !request.program->writing.lenses_alone || !is_of_rigs(result.report);
   if (request.program == nullptr) result.instead = better_writing(result, request, files);
   return result;
 }

@@ -133,6 +133,9 @@ void add_remedies(const ConvertRequest& request, const Start& start, const Conve
     });
     if (reason.facts.code == Code::kVerdictNoRays && unreached != entries.end()) reason.remedy = unreached->remedy;
     if (needs_version(reason)) reason.remedy = older;
+    const std::string_view right_name =
+        request.program != nullptr ? request.program->writing.equidistant_file_name : std::string_view();
+    if (reason.facts.code == Code::kVerdictPixelsOff && !right_name.empty()) reason.remedy = {Code::kNameTheFile, {right_name}};
     if (result.nearer && reason.facts.code == Code::kVerdictPixelsOff) {
       const double rms_px = reason.distance ? reason.distance->rms : result.rms_px;
       reason.remedy = {Code::kFitInsideAngle, {result.nearer->max_angle_deg, result.nearer->rms_px, rms_px}};
@@ -144,6 +147,11 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
                    const ConvertResult& result) {
   std::vector<Finding> findings = start.findings;
   add_findings(std::span(result.diagnostics.entries()).subspan(before.diagnostics.entries().size()), findings);
+  for (const ConvertedCamera& camera : result.cameras) {
+    if (!camera.report || camera.report->exact) continue;  // else it is a finding in the input
+    if (const std::optional<Message> problem = undistortion_problem(camera.target))
+      findings.push_back({.severity = info(problem->code).severity, .facts = *problem});
+  }
   VerdictFacts facts;
   facts.to = result.to;
   facts.mode = result.mode;

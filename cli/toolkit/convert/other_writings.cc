@@ -155,9 +155,9 @@ bool is_of_another(const ConvertRequest& request, const Start& start, const Conv
   const consumers::LoadOptions options = load_options(ReadOptions(), result.mode);
   const std::string& bytes = start.base.document->source().bytes;
   const ConvertedFile& file = result.files.front();
-  if (file.programs.empty() || file.bytes == bytes) return false;  // the program loads the file
+  if (file.programs.empty() || file.bytes == bytes) return false;  // unchanged, and the program loads it
   const auto reads = [&](const consumers::Consumer& each) {
-    return each.cameras && each.reads(result.to->id) && each.load(bytes, options).loads();
+    return each.cameras && each.reads(result.to->id) && start.views->of(each, bytes, options).loads();
   };
   const std::span<const consumers::Consumer> all = consumers::all_consumers();
   const consumers::Consumer* program = consumers::find_consumer(file.programs.front());

@@ -46,20 +46,20 @@ consumers::LoadOptions load_options(const Written& written, const std::string& f
 
 /// The program's first reason not to load the bytes; none if it loads them.
 std::optional<consumers::Complaint> first_refusal(const std::string& bytes, const std::string& program,
-                                                  const consumers::LoadOptions& options) {
+                                                  const consumers::LoadOptions& options, LoadedViews& views) {
   const consumers::Consumer* consumer = consumers::find_consumer(program);
   if (consumer == nullptr) return std::nullopt;
-  consumers::ConsumerView view = consumer->load(bytes, options);
-  return view.loads() ? std::nullopt : std::optional(std::move(view.refusals.front()));
+  const consumers::ConsumerView& view = views.of(*consumer, bytes, options);
+  return view.loads() ? std::nullopt : std::optional(view.refusals.front());
 }
 
 /// Programs that load a file which `refusing` does not.
 std::vector<std::string> other_readers(const consumers::Consumer& refusing, const ConvertedFile& file,
-                                       const consumers::LoadOptions& options) {
+                                       const consumers::LoadOptions& options, LoadedViews& views) {
   std::vector<std::string> names;
   for (const consumers::Consumer& each : consumers::all_consumers()) {
     if (each.id == refusing.id || !each.reads(refusing.format) || each.cameras == file.cameras.empty()) continue;
-    const consumers::ConsumerView view = each.load(file.bytes, options);
+    const consumers::ConsumerView& view = views.of(each, file.bytes, options);
     const bool misreads = std::ranges::any_of(view.cameras, &consumers::ConsumerCamera::misread);
     if (view.loads() && !misreads) names.emplace_back(each.program);
   }
@@ -97,18 +97,18 @@ std::jthread prepare_programs(const Format& format) {
   return program == all.end() ? std::jthread() : in_background(program->prepare);
 }
 
-Message newly_refused(const Written& written, const text::Document* base) {
+Message newly_refused(const Written& written, const text::Document* base, LoadedViews& views) {
   const consumers::LoadOptions options = load_options(written);
   for (const Written::File& file : written.files) {
     for (const std::string& id : file.programs) {
-      const std::optional<consumers::Complaint> now = first_refusal(file.document.bytes(), id, options);
-      if (now && (base == nullptr || now != first_refusal(base->source().bytes, id, options))) return now->facts;
+      const std::optional<consumers::Complaint> now = first_refusal(file.document.bytes(), id, options, views);
+      if (now && (base == nullptr || now != first_refusal(base->source().bytes, id, options, views))) return now->facts;
     }
   }
   return {};
 }
 
-bool mend_kept_text(Written& written, Diagnostics& diagnostics) {
+bool mend_kept_text(Written& written, LoadedViews& views, Diagnostics& diagnostics) {
   constexpr int kMostMends = 100;  // each is some runs of the program's reader
   const consumers::LoadOptions options = load_options(written);
   bool all_load = true;
@@ -120,7 +120,7 @@ bool mend_kept_text(Written& written, Diagnostics& diagnostics) {
       Diagnostics mends;
       std::optional<consumers::Complaint> refusal;
       for (int i = 0; i < kMostMends; ++i) {
-        refusal = first_refusal(document.bytes(), id, options);
+        refusal = first_refusal(document.bytes(), id, options, views);
         all_load = all_load && !refusal;
         const std::optional<Mend> mend = refusal ? find_mend(document, *program, options, *refusal) : std::nullopt;
         if (!mend) break;
@@ -145,7 +145,7 @@ void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagn
 }
 
 void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& request, const Written& written,
-            const text::Document* base, ConvertResult& result) {
+            const text::Document* base, LoadedViews& views, ConvertResult& result) {
   bool judged = false;
   std::vector<CalibratedCamera> calibrated;
   calibrated.reserve(result.cameras.size());
@@ -158,23 +158,24 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
     judged = true;
-    // The name counts for whoever goes by it and was asked for.
-    std::string file_name;
-    if (consumer == request.program)
-      file_name = output.path.empty() ? name_in_folder(output) : std::filesystem::path(output.path).filename().string();
+    // The name counts for whoever goes by it and was asked for, and where it is the right one.
+    std::string file_name = std::filesystem::path(output.path).filename().string();
+    const bool has_right_name = !file_name.empty() && file_name == consumer->writing.equidistant_file_name;
+    if (consumer != request.program && !has_right_name) file_name.clear();
     const std::optional<ImageSize> size = rig.cameras.empty() ? std::nullopt : rig.cameras.front().image_size;
     const consumers::LoadOptions options = load_options(written, file_name, size);
     ProofResult proof = prove(
-        *consumer, output.bytes, options, rig, output.cameras, request.inputs.max_angle_rad.value_or(std::numbers::pi),
+        *consumer, views.of(*consumer, output.bytes, options), rig, output.cameras,
+        request.inputs.max_angle_rad.value_or(std::numbers::pi),
         [&request](std::size_t count, const auto& body) { parallel_for(count, request.jobs, body); }, calibrated);
     proof.is_first = id == output.programs.front();
     take_figures_of_fits(result.cameras, proof);
     if (!proof.loads && base != nullptr && consumer != request.program)
-      proof.read_by = other_readers(*consumer, output, options);
+      proof.read_by = other_readers(*consumer, output, options, views);
     const std::string program(consumer->program);
     const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
     const bool refused_before = base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&
-                                first_refusal(base->source().bytes, id, options) == proof.refusals.front();
+                                first_refusal(base->source().bytes, id, options, views) == proof.refusals.front();
     if (refused_before) result.refused_before.push_back(program);
     if (!proof.agrees() && unchanged) {
       result.diagnostics.add(Code::kInputNotUnderstood, {program, disagreement(proof)});

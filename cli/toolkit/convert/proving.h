@@ -2,6 +2,8 @@
 // Real programs judge what a conversion made, before anything is put in place.
 #pragma once
 
+#include "loaded_views.h"
+
 #include <fca/formats/calibration.h>
 #include <fca/toolkit/convert.h>
 
@@ -16,12 +18,12 @@ namespace fca {
 [[nodiscard]] std::jthread prepare_programs(const Format& format);
 
 /// Why a program would not load what is written for it, and did load `base` (null: none); nothing if there is no such program.
-[[nodiscard]] Message newly_refused(const Written& written, const text::Document* base);
+[[nodiscard]] Message newly_refused(const Written& written, const text::Document* base, LoadedViews& views);
 
 /// What of a base's own text, which an edit keeps, the program that is to read it would refuse only for its spelling
 /// (IMU.Frequency: 200, a byte order mark) is mended, with a note of each; where the program would refuse it all the same,
 /// nothing is. True if there was nothing to mend: the programs load every file as it stood.
-[[nodiscard]] bool mend_kept_text(Written& written, Diagnostics& diagnostics);
+[[nodiscard]] bool mend_kept_text(Written& written, LoadedViews& views, Diagnostics& diagnostics);
 
 /// A warning if the input's own program would not load it: it is read all the same, and may not be what that program used.
 void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagnostics& diagnostics);
@@ -30,6 +32,6 @@ void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagn
 /// refuses itself, that is the file's own defect: told, not held against us. An output without a program is told, too. `base`:
 /// null if the output is no edit.
 void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& request, const Written& written,
-            const text::Document* base, ConvertResult& result);
+            const text::Document* base, LoadedViews& views, ConvertResult& result);
 
 }  // namespace fca

@@ -4,6 +4,7 @@
 
 #include "base.h"
 #include "known_conversions.h"
+#include "loaded_views.h"
 
 #include <fca/formats/check.h>
 #include <fca/rig/outvoted_pose.h>
@@ -24,6 +25,7 @@ struct Start {
   Rig rig_of_input;               ///< With the pose that was left out of `input`, if one was.
   std::optional<OutvotedPose> outvoted;
   std::unique_ptr<KnownConversions> known = std::make_unique<KnownConversions>();
+  std::unique_ptr<LoadedViews> views = std::make_unique<LoadedViews>();
 };
 
 /// What was found since the input was read: warnings and errors. How good a fit is, the proofs say.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base.h"
+#include "loaded_views.h"
 
 namespace fca {
 
@@ -9,6 +10,6 @@ namespace fca {
 /// it. `replaced`: names of the base's cameras whose place another camera takes.
 [[nodiscard]] std::optional<Written> write_rig(const Calibration& source, const Rig& rig, const Base& base,
                                                const ConvertRequest& request, std::vector<std::string> replaced,
-                                               ConvertResult& result);
+                                               LoadedViews& views, ConvertResult& result);
 
 }  // namespace fca

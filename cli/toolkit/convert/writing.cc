@@ -95,7 +95,8 @@ void put_first(const consumers::Consumer& program, const Rig& rig, Written& writ
     if (camera == nullptr || program.writing.equidistant_file_name.empty() || model_info(camera->model).id != "kb4") continue;
     file.place = std::filesystem::path(file.place).replace_filename(program.writing.equidistant_file_name).string();
   }
-  if (is_new) written.headline = {Code::kHeadlineAsRead, {written.headline, program.program}};
+  const bool goes_by_name = !program.writing.equidistant_file_name.empty();  // where others of the format do not
+  if (is_new || goes_by_name) written.headline = {Code::kHeadlineAsRead, {written.headline, program.program}};
 }
 
 /// Step by step: each of them is false where there are errors.
@@ -107,6 +108,7 @@ class Writing {
         into_(start.into),
         base_(start.base),
         choice_(std::move(choice)),
+        views_(*start.views),
         result_(result) {}
 
   [[nodiscard]] bool run() {
@@ -131,6 +133,7 @@ class Writing {
   const std::optional<Calibration>& into_;
   const Base& base_;
   ModelChoice choice_;
+  LoadedViews& views_;
   ConvertResult& result_;
   Rig rig_;    ///< What is written.
   Kept kept_;  ///< Of the base.
@@ -165,7 +168,7 @@ bool Writing::put_together() {
 
 bool Writing::write() {
   const Format& to = *result_.to;
-  std::optional<Written> written = write_rig(input_, rig_, base_, request_, kept_.replaced, result_);
+  std::optional<Written> written = write_rig(input_, rig_, base_, request_, kept_.replaced, views_, result_);
   if (written && request_.program != nullptr) put_first(*request_.program, rig_, *written);
   if (!written || !is_edit_of_base(request_, base_, *written, result_.diagnostics)) return false;
   if (into_) tell_of_kept(kept_, *written, to, result_.diagnostics);
@@ -211,7 +214,7 @@ void Writing::prove() {
     const text::Document* own = input_of(file, written_, input_);
     const bool is_configuration = file.cameras.empty() && result_.to->facts_apart;
     verify(is_configuration ? with_counted_cameras(meant, written_) : meant, file, request_, written_,
-           own != nullptr ? own : base_.document, result_);
+           own != nullptr ? own : base_.document, views_, result_);
   }
 }
 

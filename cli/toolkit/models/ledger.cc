@@ -105,7 +105,7 @@ void list_models(const Format& from, const Format& to, LedgerRow& row) {
 void list_lost_to_pairs(const Format& from, const Format& to, std::vector<Message>& dropped) {
   if (!from.many_cameras || from.most_cameras <= 2 || holds_all_models(from, to)) return;
   for (const StoredModel& stored : to.models) {
-    if (!stored.pairs_only) continue;
+    if (!stored.pairs_only || find_model(stored.model)->kept_only) continue;
     for (const Code lost : {Code::kLedgerSeveralCameras, Code::kLedgerPoses})
       dropped.push_back({Code::kLedgerButPair, {Message{lost}, stored.model}});
   }

@@ -40,8 +40,10 @@ Message in_words(const ConversionReport& report) {
   return {covers ? Code::kModelRms : Code::kModelRmsUpTo, {report.to_model, report.judgement.error.rms, report.scored_to_deg}};
 }
 
-std::optional<ConversionReport> report_as(const StoredModel& stored, const Camera& camera, const ModelChoice& choice) {
+std::optional<ConversionReport> report_as(const StoredModel& stored, const Camera& camera, const ModelChoice& choice,
+                                          Objective objective) {
   ConvertOptions options = options_for(stored, choice);
+  options.objective = objective;
   options.every_pixel = false;
   options.bound = false;
   Diagnostics unheard;
@@ -53,12 +55,9 @@ std::optional<ConversionReport> report_as(const StoredModel& stored, const Camer
 std::vector<ConversionReport> better_ones(const Camera& camera, const ConversionReport& than, const ModelChoice& choice,
                                           const std::vector<StoredModel>& models) {
   constexpr double kOfUse = 2.0;  // px: such a file is not to be used
-  ConvertRequest request = choice.request;
-  request.objective = Objective::kRms;
-  const ModelChoice by_rms = {.request = request, .unread = choice.unread, .partial = choice.partial, .known = choice.known};
   std::vector<ConversionReport> result;
   for (const StoredModel& stored : models) {
-    std::optional<ConversionReport> report = report_as(stored, camera, by_rms);
+    std::optional<ConversionReport> report = report_as(stored, camera, choice, Objective::kRms);
     if (report && is_better(*report, than) && report->judgement.error.rms <= kOfUse) result.push_back(*std::move(report));
   }
   std::ranges::stable_sort(result, is_better);
@@ -70,7 +69,7 @@ std::optional<ConversionReport> worst_report(const StoredModel& stored, std::spa
                                              const ModelChoice& choice) {
   std::optional<ConversionReport> worst;
   for (const Camera& camera : cameras) {
-    std::optional<ConversionReport> report = report_as(stored, camera, choice);
+    std::optional<ConversionReport> report = report_as(stored, camera, choice, choice.request.objective);
     if (!report) return std::nullopt;
     if (!worst || is_better(*worst, *report)) worst = std::move(report);
   }

@@ -29,14 +29,22 @@ std::optional<int> number_in(std::string_view name, std::string_view prefix) {
   return failure == std::errc() && rest == end ? std::optional(number) : std::nullopt;
 }
 
+/// The file of a sensor: the name that cuVSLAM's example goes by before the usual one, as it does.
+std::optional<fs::path> sensor_file_in(const fs::path& folder) {
+  for (const std::string_view name : {"sensor_recalibrated.yaml", "sensor.yaml"}) {
+    if (is_file(folder / name)) return folder / name;
+  }
+  return std::nullopt;
+}
+
 /// cam0/sensor.yaml, cam1/sensor.yaml, ... by their numbers.
 void add_sensors(const fs::path& folder, std::string_view prefix, std::vector<std::string>& files) {
   std::vector<std::pair<int, std::string>> found;
   std::error_code error;
   for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
     const std::optional<int> number = number_in(at->path().filename().string(), prefix);
-    const fs::path file = at->path() / "sensor.yaml";
-    if (number && is_file(file)) found.emplace_back(*number, file.string());
+    const std::optional<fs::path> file = number ? sensor_file_in(at->path()) : std::nullopt;
+    if (file) found.emplace_back(*number, file->string());
   }
   std::ranges::sort(found);
   for (auto& [number, file] : found) files.push_back(std::move(file));

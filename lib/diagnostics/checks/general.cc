@@ -182,7 +182,7 @@ std::span<const CodeInfo> general_codes() {
       any(Code::kAnySizeContradicts, "size-contradicts", "another image size was told than the file states", kWrongPixels),
       any(Code::kAnySizeSwapped, "size-swapped", "width and height are exchanged", kWrongPixels),
       any(Code::kAnySizeUnlikeCentre, "size-unlike-centre", "the image size is not the one of the calibration", kWrongPixels),
-      any(Code::kAnySkew, "skew", "a skew, which fca-io's models do not hold",
+      any(Code::kAnySkew, "skew", "a skew, which most programs ignore",
           "Nothing, in a program that uses it (cv::omnidir); others ignore it."),
       any(Code::kAnyStaleInverse, "stale-inverse", "OCamCalib's two polynomials are of different lenses",
           "Programs that project (world2cam) and those that unproject (cam2world) disagree by that many pixels."),

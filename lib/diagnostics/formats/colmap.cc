@@ -76,15 +76,14 @@ std::span<const CodeInfo> colmap_codes() {
                              "{0} is the reference, from which poses are counted, and has a pose of its own", "remove it"),
                        kNoRig),
       warning(Code::kColmapHalf, "missing-key", "{0} without {1}: COLMAP ignores it", "give both, or none"),
-      with_consequence(warning(Code::kColmapQuaternionLength, "not-a-rotation",
-                               "{0} has length {1:.4}, not 1, and COLMAP does not normalise it", "divide its numbers by that"),
-                       "The rotation scales what it turns."),
+      with_consequence(
+          about_poses(warning(Code::kColmapQuaternionLength, "not-a-rotation",
+                              "{0} has length {1:.4}, not 1, and COLMAP does not normalise it", "divide its numbers by that")),
+          "The rotation scales what it turns."),
       with_consequence(error(Code::kColmapNoRotation, "not-a-rotation", "{0} has length {1:.4} and is no rotation",
                              "four numbers w x y z whose squares sum to 1"),
                        "Such a pose places the camera nowhere."),
       clause(Code::kColmapRigHeadline, "a rig_config.json for COLMAP's rig_configurator"),
-      clause(Code::kColmapBothHeadline,
-             "a cameras.txt for COLMAP, with the poses of its cameras in rig_config.json and rigs.txt"),
 
       // cameras.bin
       clause(Code::kColmapBinary, "cameras of COLMAP's models in binary"),

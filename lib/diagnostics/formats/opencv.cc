@@ -49,12 +49,13 @@ std::span<const CodeInfo> opencv_codes() {
               "{0} is MATLAB's, which counts pixels from 1; its principal point is read as it stands",
               "if nothing has subtracted 1 from it yet (stereoParametersToOpenCV does), subtract 1 from both numbers"),
       error(Code::kOpencvSkew, "skew",
-            "{0} has a skew of {1} px at (0, 1), which the model {2} cannot hold; cv::projectPoints and cv::fisheye ignore it, "
+            "{0} has a skew of {1} px at (0, 1), which no model here has beside {2}'s numbers; cv::projectPoints ignores it, "
             "others do not",
             "calibrate without skew, or write 0 there if the program that uses the file ignores it"),
-      error(Code::kOpencvSkewOfOmnidir, "skew",
-            "{0} has a skew of {1} px at (0, 1), which the model {2} cannot hold; cv::omnidir uses it",
-            "calibrate with cv::omnidir::CALIB_FIX_SKEW"),
+      reader_warning(Code::kOpencvSkewKept, "skew",
+                     "{0} has a skew of {1} px at (0, 1), which is a part of the camera; cv::projectPoints and cv::fisheye "
+                     "ignore it",
+                     "write 0 there if the program that uses the file ignores it, too"),
       error(Code::kOpencvSizeNotTwoNumbers, kLength, "{0} must be two numbers"),
       error(Code::kOpencvNotVector, kLength, "{0} is {1} x {2}; a vector is wanted"),
       error(Code::kOpencvRadialNumbers, kLength, "{0} has {1} numbers; 2 or 3 are wanted"),

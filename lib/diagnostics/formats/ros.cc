@@ -56,8 +56,13 @@ std::span<const CodeInfo> ros_codes() {
             "camera_matrix is transposed: its principal point stands in the last row",
             "write fx 0 cx, 0 fy cy, 0 0 1 row by row"),
       error(Code::kRosSkew, "skew",
-            "camera_matrix has a skew of {0} px at (0, 1), which no model here holds; image_geometry ignores it, others do not",
+            "camera_matrix has a skew of {0} px at (0, 1), which no model here has beside 12 coefficients; image_geometry "
+            "ignores it, "
+            "others do not",
             "calibrate without skew, or write 0 there"),
+      reader_warning(Code::kRosSkewKept, "skew",
+                     "camera_matrix has a skew of {0} px at (0, 1), which is a part of the camera; image_geometry ignores it",
+                     "write 0 there if all programs that use the file ignore it"),
       error(Code::kRosNotACameraMatrix, "not-a-camera-matrix", "camera_matrix has {0} where a camera matrix has 0"),
       warning(Code::kRosMatrixCorner, "matrix-corner", "camera_matrix(2, 2) is {0}, not 1", "write 1.0"),
       // The lens.

@@ -22,6 +22,8 @@ std::span<const CodeInfo> proof_codes() {
       // ORB-SLAM3's KannalaBrandt8::unproject and cv::fisheye::undistortPoints: the distorted angle is cut off at pi / 2, and a
       // ray is K (x / z, y / z).
       clause(Code::kRaysUpToNinety, "from pixel to ray it goes no further than 90 deg, of the ray and of the distorted angle"),
+      // cv::undistortPoints' default.
+      clause(Code::kRaysInFiveSteps, "from pixel to ray it calls cv::undistortPoints, which stops after five steps"),
       clause(Code::kRaysWithoutAffine, "from pixel to ray it leaves out the affine part (ac, ad, ae)"),
 
       // Of the command's own parts: what for, and the loader's words.

@@ -33,6 +33,7 @@ std::span<const CodeInfo> ros_program_codes() {
       refusal(Code::kRosSaysRoiOutside, "the roi reaches beyond the image: OpenCV stops"),
       misreading(Code::kRosSaysLastCameraKept, "of the {0} cameras in the file the last takes the others' place"),
       misreading(Code::kRosSaysFisheyeOfZeros, "all coefficients are 0: image_geometry takes the camera for a pinhole"),
+      misreading(Code::kRosSaysSkewUnused, "camera_matrix has a skew of {0:all} px, which image_geometry does not use"),
       misreading(Code::kRosSaysCoefficientsOfZeros,
                  "all coefficients are 0: image_geometry takes the images for rectified ones and does not apply R and P"),
   };

@@ -87,6 +87,8 @@ enum class Code : std::uint16_t {
   kVerdictNoPose,
   kVerdictNoCommonView,
   kVerdictNeedsVersion,
+  kVerdictNeedsName,
+  kNameTheFile,
   kOlderVersionsRead,
   kFitInsideAngle,
   kRewrittenIs,
@@ -539,7 +541,7 @@ enum class Code : std::uint16_t {
   kOpencvMatrixCorner,
   kOpencvMatlabOrigin,
   kOpencvSkew,
-  kOpencvSkewOfOmnidir,
+  kOpencvSkewKept,
   kOpencvSizeNotTwoNumbers,
   kOpencvPoseNotFourByFour,
   kOpencvUnitsNotStated,
@@ -699,7 +701,6 @@ enum class Code : std::uint16_t {
   kColmapQuaternionLength,
   kColmapNoRotation,
   kColmapRigHeadline,
-  kColmapBothHeadline,
   kColmapBinary,
   kColmapBinaryHeadline,
   kColmapRigLines,
@@ -903,6 +904,7 @@ enum class Code : std::uint16_t {
   kRosIniCoefficientCount,
   kRosMatrixTransposed,
   kRosSkew,
+  kRosSkewKept,
   kRosNotACameraMatrix,
   kRosMatrixCorner,
   kRosModelAssumed,
@@ -1037,6 +1039,7 @@ enum class Code : std::uint16_t {
   kRosSaysLastCameraKept,
   kRosSaysFisheyeOfZeros,
   kRosSaysCoefficientsOfZeros,
+  kRosSaysSkewUnused,
 
   // What VINS-Fusion says to a file.
   kVinsSaysMissing,
@@ -1267,6 +1270,7 @@ enum class Code : std::uint16_t {
   kProgramSays,
   kProgramOtherNumber,
   kRaysUpToNinety,
+  kRaysInFiveSteps,
   kRaysWithoutAffine,
   kModuleMissing,
   kModuleOfPrograms,
@@ -1722,7 +1726,7 @@ struct CodeInfo {
 
 /// The table: one row for each code but kNone.
 [[nodiscard]] std::span<const CodeInfo> all_codes();
-/// Has one of them that id?
+/// Has one of them that id? Parts of sentences have none.
 [[nodiscard]] bool is_code(std::string_view id);
 /// The row of a code. kNone, and what is no code, has an empty one.
 [[nodiscard]] const CodeInfo& info(Code code);

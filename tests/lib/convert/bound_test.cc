@@ -90,6 +90,8 @@ std::vector<TableCamera> table() {
           {"woodscape_60", woodscape_front(), 60.0},
           {"oak_tilted", oak_tilted(), {}},
           {"scheimpflug", scheimpflug(), {}},
+          {"skewed_omnidir", skewed_omnidir(), {}},
+          {"skewed_fisheye", skewed_fisheye(), 95.0},
           {"lens_220", lens_220(), 110.0},
           {"lens_220_60", lens_220(), 60.0}};
 }

@@ -37,6 +37,18 @@ inline Camera oak_tilted() {
                      {1280, 800});
 }
 
+/// As cv::omnidir calibrates by default, with skew.
+inline Camera skewed_omnidir() {
+  return make_camera(
+      Intrinsics<Skewed<Mei>>{{738.5, 738.125, 512.25, 511.75, 0.957, -0.0225, 0.0017, 0.00018, 0.00044, 0.6975}},
+      {1024, 1024});
+}
+
+/// A skew on purpose.
+inline Camera skewed_fisheye() {
+  return make_camera(Intrinsics<Skewed<Kb4>>{{380.5, 379.9, 640.2, 478.8, -0.012, 0.004, -0.003, 0.0006, -15.0}}, {1280, 960});
+}
+
 /// Tilted on purpose, with a prism.
 inline Camera scheimpflug() {
   return make_camera(Intrinsics<Opencv14>{{700.0, 705.0, 640.0, 360.0, -0.15, 0.03, 5e-4, -2e-4, 0.0, 0.0, 0.0, 0.0, 1e-3, 0.0,

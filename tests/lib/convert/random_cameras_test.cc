@@ -208,8 +208,10 @@ TEST(RandomCameras, NoFitIsWorseThanTwentyStarts) {
     const Sampled sampled = samples_of(camera);
     if (sampled.samples.size() < 100) continue;
     SCOPED_TRACE(++i);
-    ModelList::for_each(
-        [&]<CameraModelType M>() { compared += expect_no_worse_than_reference<M>(camera, sampled, random) ? 1 : 0; });
+    ModelList::for_each([&]<CameraModelType M>() {
+      // Nobody fits a skew: it is held, and the rest is a fit of the straight model.
+      if constexpr (!kIsSkewed<M>) compared += expect_no_worse_than_reference<M>(camera, sampled, random) ? 1 : 0;
+    });
   }
   std::printf("  %d cameras, %d fits compared\n", count, compared);
 }
@@ -329,7 +331,9 @@ TEST(RandomCameras, NoConversionIsWorseOverTheImage) {
   for (int i = 0; i < count; ++i) {
     SCOPED_TRACE(i);
     const Camera plausible = plausible_camera(random);
-    ModelList::for_each([&]<CameraModelType M>() { compared += expect_no_worse_over_pixels<M>(plausible, random) ? 1 : 0; });
+    ModelList::for_each([&]<CameraModelType M>() {
+      if constexpr (!kIsSkewed<M>) compared += expect_no_worse_over_pixels<M>(plausible, random) ? 1 : 0;
+    });
     compared += expect_no_worse_over_pixels<Rational>(wide_camera(random), random) ? 1 : 0;
   }
   std::printf("  %d cameras, %d conversions compared\n", 2 * count, compared);

@@ -5,6 +5,8 @@
 
 #include <rapidcheck.h>
 
+#include <array>
+
 namespace fca::test {
 
 /// A model of the list with plausible parameters for 640 x 480 pixels: a camera of the table's kinds, each lens parameter
@@ -53,6 +55,13 @@ inline CameraModel random_model(std::size_t kind) {
       model.values[16] = uniform(-0.03, 0.03);
       model.values[17] = uniform(-0.03, 0.03);
       return model;
+    }
+    case 12:
+    case 13:
+    case 14:
+    case 15: {
+      constexpr std::array<std::size_t, 4> kStraight = {1, 2, 3, 7};
+      return with_skew(random_model(kStraight.at(kind - 12)), uniform(-4.0, 4.0)).value();
     }
     default:
       return Intrinsics<Woodscape>{

@@ -95,8 +95,11 @@ TEST(Jacobian, OnTheAxis) {
         const double dv =
             i == kParameterCount<M> + 1 ? focal[1] / 2.0 : (of_centre && M::kParameters[i].name == "cy" ? 1.0 : 0.0);
         // Shear (ocamcalib) mixes the axes.
-        const double shear_u =
-            i == kParameterCount<M> + 1 ? focal[0] / 2.0 * parameter(camera.intrinsics, "e").value_or(0.0) : 0.0;
+        const bool along_v = i == kParameterCount<M> + 1;
+        double shear_u = along_v ? focal[0] / 2.0 * parameter(camera.intrinsics, "e").value_or(0.0) : 0.0;
+        // So does a skew.
+        const double skew = parameter(camera.intrinsics, "skew").value_or(0.0);
+        if (along_v && skew != 0.0) shear_u += skew * focal[1] / 2.0 / parameter(camera.intrinsics, "fy").value();
         double shear_v = i == kParameterCount<M> ? focal[0] / 2.0 * parameter(camera.intrinsics, "d").value_or(0.0) : 0.0;
         // So does a tilted image plane.
         const double tilt_x = std::tan(parameter(camera.intrinsics, "tau_x").value_or(0.0));

@@ -93,6 +93,31 @@ TEST(OpenCvAgreement, Kb4IsFisheye) {
   }
 }
 
+// alpha of cv::fisheye is the skew over fx.
+TEST(OpenCvAgreement, Kb4WithSkewIsFisheyeWithAlpha) {
+  for (const TestCamera<Skewed<Kb4>>& camera : cameras_of<Skewed<Kb4>>()) {
+    SCOPED_TRACE(camera.name);
+    const PointsAndPixels ours = projected_by_us(camera, 80 * kDegree);
+    const double* p = camera.p();
+    std::vector<cv::Point2d> theirs;
+    cv::fisheye::projectPoints(ours.points, theirs, kZero, kZero, matrix_of(p), std::vector<double>(p + 4, p + 8), p[8] / p[0]);
+    expect_equal(ours.pixels, theirs);
+  }
+}
+
+TEST(OpenCvAgreement, MeiWithSkewIsOmnidirWithIt) {
+  for (const TestCamera<Skewed<Mei>>& camera : cameras_of<Skewed<Mei>>()) {
+    SCOPED_TRACE(camera.name);
+    const double* p = camera.p();
+    const PointsAndPixels ours = projected_by_us(camera, std::numbers::pi);
+    cv::Matx33d K = matrix_of(p);
+    K(0, 1) = p[9];
+    std::vector<cv::Point2d> theirs;
+    cv::omnidir::projectPoints(ours.points, theirs, kZero, kZero, K, p[4], std::vector<double>(p + 5, p + 9));
+    expect_equal(ours.pixels, theirs);
+  }
+}
+
 TEST(OpenCvAgreement, MeiIsOmnidir) {
   for (const TestCamera<Mei>& camera : cameras_of<Mei>()) {
     SCOPED_TRACE(camera.name);

@@ -289,8 +289,8 @@ the one stated.)"},
 Scaled by s they become  f' = s f,  c' = s (c + 0.5) - 0.5.)"},
     Story{
         "skew",
-        R"(K(0, 1): pixels whose rows and columns are not at right angles. Calibrated skews are noise; the models of the other formats
-have no place for one.)"},
+        R"(K(0, 1): pixels whose rows and columns are not at right angles. Calibrated skews are noise. radtan, rational, kb4 and mei
+are read with one; other formats have no place for it, and it is fitted away.)"},
     Story{"stale-inverse", "The inverse polynomial is a fit to the direct one, to 0.01 px when fresh. Above 1 px is reported."},
     Story{"stereo-order",
           "T_c1_c2 takes points of camera 2 to camera 1: its translation is where camera 2 stands, x > 0 for the right one."},

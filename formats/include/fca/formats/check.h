@@ -80,6 +80,9 @@ struct CheckOptions {
                                                           const Diagnostics& diagnostics, const CheckOptions& options,
                                                           const Format& to);
 
+/// Why cv::undistortPoints does not arrive at the camera's rays, to a pixel; nothing where it does, or is not for that model.
+[[nodiscard]] std::optional<Message> undistortion_problem(const Camera& camera);
+
 /// Are the noise densities that it has such as sensors have them, also inflated ones?
 [[nodiscard]] bool has_usual_noise(const Imu& imu);
 

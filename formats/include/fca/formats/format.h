@@ -99,6 +99,8 @@ struct WriteOptions {
   bool keeps_layout = false;
   /// Names of the base's cameras whose place another camera takes: what was set for their images is not of the new one's.
   std::vector<std::string> replaced = {};
+  /// All files of the input that is edited, of which one is the base: another may go along (COLMAP's rigs).
+  std::span<const text::Document> input = {};
   bool lenses_alone = false;  ///< For a program that reads nothing of how cameras sit to each other.
   bool adopted = false;  ///< The base was read as another format of the same layout: a camchain that is to become TUM-VI's.
 };

@@ -61,6 +61,8 @@ struct ProofResult {
   std::vector<consumers::Complaint> refusals;
   std::vector<consumers::Complaint> warnings;  ///< What it silently misreads or ignores.
   bool is_first = true;                        ///< The program that the file is written for; others may read it, too.
+  bool undistorts_points = false;              ///< Its rays are cv::undistortPoints'; they are counted.
+  std::string wanted_name = {};                ///< As ConsumerView's.
   std::vector<std::string> read_by = {};       ///< Where it refuses the file: other programs that read it.
   /// Is the file right? What the program is known to misread of right files is not held against it.
   [[nodiscard]] bool agrees() const { return loads && pixels_agree && poses_agree && other_numbers.empty(); }
@@ -87,6 +89,10 @@ void one_after_the_other(std::size_t count, const std::function<void(std::size_t
                                 const consumers::LoadOptions& options, const Rig& rig, std::span<const std::string> cameras,
                                 double max_angle_rad = std::numbers::pi, const ForEach& each_camera = one_after_the_other,
                                 std::span<const CalibratedCamera> calibrated = {});
+/// The same of what the program has made of the bytes.
+[[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, const consumers::ConsumerView& view, const Rig& rig,
+                                std::span<const std::string> cameras, double max_angle_rad, const ForEach& each_camera,
+                                std::span<const CalibratedCamera> calibrated);
 /// The same of all the rig's cameras.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
                                 const consumers::LoadOptions& options, const Rig& rig, double max_angle_rad = std::numbers::pi,

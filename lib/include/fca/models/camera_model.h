@@ -14,6 +14,7 @@
 #include <fca/models/pinhole.h>
 #include <fca/models/radtan.h>
 #include <fca/models/rational.h>
+#include <fca/models/skewed.h>
 #include <fca/models/ucm.h>
 #include <fca/models/woodscape.h>
 
@@ -50,7 +51,8 @@ struct TypeList {
 }  // namespace internal
 
 /// Every model fca knows, in the order in which they are listed to people.
-using ModelList = internal::TypeList<Pinhole, Radtan, Rational, Kb4, Ucm, Eucm, Ds, Mei, Fov, Ocamcalib, Woodscape, Opencv14>;
+using ModelList = internal::TypeList<Pinhole, Radtan, Rational, Kb4, Ucm, Eucm, Ds, Mei, Fov, Ocamcalib, Woodscape, Opencv14,
+                                     Skewed<Radtan>, Skewed<Rational>, Skewed<Kb4>, Skewed<Mei>>;
 
 /// Any camera model with its parameters. Compares by value.
 using CameraModel = ModelList::Variant;
@@ -154,6 +156,18 @@ void unproject_all(const CameraModel& model, std::span<const double> pixels, std
 /// Radius per angle at the centre along u and v, in pixels per radian: the focal lengths by which models compare. (fx of ds,
 /// mei and fov is something else.)
 [[nodiscard]] std::array<double, 2> central_focal_lengths(const CameraModel& model);
+
+/// A model and the skew of its image (skewed.h).
+struct SkewedModel {
+  CameraModel straight;  ///< Without skew.
+  double skew_px = 0.0;
+};
+[[nodiscard]] SkewedModel without_skew(const CameraModel& model);
+/// pinhole becomes radtan's model with skew; nothing of a model that has none.
+[[nodiscard]] std::optional<CameraModel> with_skew(const CameraModel& model, double skew_px);
+
+/// The id of the model without skew.
+[[nodiscard]] std::string_view straight_id(const CameraModel& model);
 
 /// Why this value cannot be that parameter; says nothing if it can.
 [[nodiscard]] Message problem_with(const Parameter& parameter, double value);

@@ -55,7 +55,7 @@ struct ExtraField {
   std::string key;    ///< As the file spells it: "line_delay", "Viewer.PointSize".
   std::string value;  ///< A scalar as spelled; of lists and matrices what they say ("[1.0, 2.0]").
   Message said = {};  ///< What people are told in place of the value, where that is more; none: the value.
-  Code kind = {};     ///< Of its loss, where it is more than a value that a program can do without; else kNone.
+  Code kind = {};     ///< Code of the loss where a target cannot hold it; kNone: that of any value.
   bool operator==(const ExtraField&) const = default;
 };
 

@@ -23,7 +23,8 @@ struct CheckResult {
   text::Source source;
   CheckReport report;
   /// What converting it gives: for a program that does not read its format, or where its own understands that better.
-  std::optional<ConvertResult> instead;
+  std::optional<ConvertResult> instead = {};
+  bool is_opened = true;  ///< False: the program that was asked about never opens such a file of its folder.
 };
 
 /// Checks one file. Files that it names as parts of it (CheckReport::parts) are checked by requests of their own.

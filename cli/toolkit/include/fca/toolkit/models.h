@@ -45,15 +45,15 @@ struct Candidate {
 /// Does the model, which could be fitted, reach all of the region that decides?
 [[nodiscard]] bool reaches_all(const Candidate& candidate);
 
-/// The candidates that could be fitted, the best first: those that reach all of the region that decides before those that do
-/// not; of them those that nobody would notice as a fit to the whole lens; then by the error in the region.
+/// The candidates that could be fitted, by their error in the region that decides; those that do not reach all of it last.
 [[nodiscard]] std::vector<const Candidate*> ranked(const std::vector<Candidate>& candidates);
 
 /// All models, in the order of the list.
 [[nodiscard]] std::vector<Candidate> candidates(const Camera& camera, std::optional<double> max_angle_rad);
 
-/// The candidate to take: the camera's own model if it is exact, else the first of those that are ranked. Of those that
-/// the stock program of `format` reads, if one is given. Null where there is none.
+/// The candidate to take: the camera's own model if it is exact, else the best of those that nobody would notice as a fit to
+/// the whole lens, else the first that is ranked. Of those that the stock program of `format` reads, if one is given. Null
+/// where there is none.
 [[nodiscard]] const Candidate* recommended(const std::vector<Candidate>& candidates, const Format* format);
 
 /// The same among all but `other`.

@@ -83,6 +83,8 @@ struct ConsumerView {
   /// It refuses only because no camera stands under the keys it looks for; a program of one's own may look elsewhere (OpenCV
   /// prescribes no keys).
   bool finds_no_camera = false;
+  /// The name of the file under which it reads the numbers so; empty: under any, or its name is known (LoadOptions::file_name).
+  std::string_view wanted_name = {};
   [[nodiscard]] bool loads() const { return refusals.empty(); }
 };
 
@@ -98,6 +100,7 @@ struct LoadOptions {
   std::string file_name = {};
   /// Width and height of the image files, in pixels, which some programs take where a file states none; zeros: unknown.
   std::array<double, 2> image_size = {};
+  bool operator==(const LoadOptions&) const = default;
 };
 
 /// A parameter of a model that a program does not read: it is written as what the program takes it for.

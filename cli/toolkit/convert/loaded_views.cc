@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loaded_views.h"
+
+#include <algorithm>
+
+namespace fca {
+
+const consumers::ConsumerView& LoadedViews::of(const consumers::Consumer& program, const std::string& bytes,
+                                               const consumers::LoadOptions& options) {
+  const auto same = std::ranges::find_if(
+      loaded_, [&](const Loaded& each) { return each.program == &program && each.options == options && each.bytes == bytes; });
+  if (same != loaded_.end()) return same->view;
+  return loaded_.emplace_back(&program, bytes, options, program.load(bytes, options)).view;
+}
+
+}  // namespace fca
