@@ -198,6 +198,16 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   const FitTask task{camera, *target, options, *domain, centre};
 
   std::optional<Conversion> conversion = exact_conversion(task);
+  if (!conversion && internal::id_without_skew(target->id) != target->id) {
+    // A fit holds the skew: it is one of the straight model.
+    ConvertOptions straight = options;
+    straight.model = internal::id_without_skew(target->id);
+    conversion = convert(camera, straight, diagnostics);
+    if (!conversion) return std::nullopt;
+    conversion->camera.model = with_skew(conversion->camera.model, 0.0).value();
+    conversion->report.to_model = target->id;
+    return conversion;
+  }
   if (!conversion) conversion = fitted_conversion(task, diagnostics);
   if (!conversion) return std::nullopt;
   if (!options.max_angle_rad && !camera.lens_circle) warn_of_fold(camera, conversion->report.judgement.coverage, diagnostics);

@@ -114,7 +114,8 @@ std::optional<Intrinsics<Kb4>> as_cubic(const CameraModel& source) {
   return std::nullopt;
 }
 
-/// Of the model that has the skew besides; the id itself of any other model.
+}  // namespace
+
 std::string_view id_without_skew(std::string_view id) {
   ModelList::for_each([&id]<class M>() {
     if constexpr (kIsSkewed<M>) {
@@ -123,8 +124,6 @@ std::string_view id_without_skew(std::string_view id) {
   });
   return id;
 }
-
-}  // namespace
 
 std::optional<CameraModel> convert_exactly(const CameraModel& source, std::string_view target_id) {
   if (model_info(source).id == target_id) return source;

@@ -8,6 +8,9 @@
 
 namespace fca::internal {
 
+/// Of the model that has a skew besides (skewed.h); the id itself of any other.
+[[nodiscard]] std::string_view id_without_skew(std::string_view id);
+
 /// The same camera in a model that contains it, in closed form; nothing where a fit is needed. Besides the model itself, and
 /// any chain of these:
 ///
