@@ -91,6 +91,7 @@ std::optional<std::string> unknown_option(std::span<const std::string> words, co
     const std::string name = word.substr(0, word.find('='));
     if (!name.starts_with(kDashes) || std::ranges::find(names, name) != names.end()) continue;
     std::vector<std::string> bare;
+    bare.reserve(names.size());
     for (const std::string& each : names) bare.push_back(each.substr(kDashes.size()));
     std::vector<std::string> near = text::nearest(name.substr(kDashes.size()), bare);
     if (near.empty()) return std::nullopt;

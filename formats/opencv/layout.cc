@@ -253,12 +253,12 @@ Kind kind_of(const CameraModel& model) {
 }
 
 std::string_view lens_id(const CameraModel& model) {
-  const auto [straight, skew_px] = without_skew(model);
+  const SkewedModel parts = without_skew(model);
   // A pinhole with skew is radtan's.
   const bool has_lens = std::ranges::any_of(
-      kOpenCvCoefficients, [&straight](ParameterId id) { return parameter(straight, id).value_or(0.0) != 0.0; });
-  const std::string_view id = model_info(straight).id;
-  return skew_px != 0.0 && id == "radtan" && !has_lens ? "pinhole" : id;
+      kOpenCvCoefficients, [&parts](ParameterId id) { return parameter(parts.straight, id).value_or(0.0) != 0.0; });
+  const std::string_view id = model_info(parts.straight).id;
+  return parts.skew_px != 0.0 && id == "radtan" && !has_lens ? "pinhole" : id;
 }
 
 bool is_matrix(const Node& node) {

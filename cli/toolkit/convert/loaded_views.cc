@@ -10,7 +10,8 @@ const consumers::ConsumerView& LoadedViews::of(const consumers::Consumer& progra
   const auto same = std::ranges::find_if(
       loaded_, [&](const Loaded& each) { return each.program == &program && each.options == options && each.bytes == bytes; });
   if (same != loaded_.end()) return same->view;
-  return loaded_.emplace_back(&program, bytes, options, program.load(bytes, options)).view;
+  loaded_.push_back({&program, bytes, options, program.load(bytes, options)});
+  return loaded_.back().view;
 }
 
 }  // namespace fca
