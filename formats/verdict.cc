@@ -122,7 +122,8 @@ void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
     if (proof.loads) {
       add_cameras(proof, reasons);
       add_versions(*facts.to, proof, reasons);
-      if (proof.is_first && !proof.wanted_name.empty())
+      const auto names_it = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsName; };
+      if (proof.is_first && !proof.wanted_name.empty() && std::ranges::none_of(reasons, names_it))
         reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNeedsName, {proof.program, proof.wanted_name}}});
       add_disagreement(proof, reasons);
       continue;
@@ -317,9 +318,10 @@ bool is_written(const PoseEdge& edge, const VerdictFacts& facts) {
     return true;
   };
   if (frame_is_written(edge.a) && frame_is_written(edge.b)) return true;
-  // Cameras of one file that a frame between them relates.
+  // Cameras of one file, or a pair of files, that a frame between them relates.
   const auto has_several = [](const std::vector<std::string>& cameras) { return cameras.size() > 1; };
-  return std::ranges::any_of(facts.files, has_several) && facts.rig->kind_of(edge.a) != FrameKind::kImu &&
+  const bool is_pair_of_files = facts.to->pair_poses && facts.files.size() > 1;
+  return (is_pair_of_files || std::ranges::any_of(facts.files, has_several)) && facts.rig->kind_of(edge.a) != FrameKind::kImu &&
          facts.rig->kind_of(edge.b) != FrameKind::kImu;
 }
 

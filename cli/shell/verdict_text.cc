@@ -188,7 +188,8 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
     // The camera's own line says how far.
     const bool is_misread = reason.facts.code == Code::kVerdictMisread && !causes_of(reason).empty();
     if ((is_distance || is_misread) && !with_distances) {
-      for (const Message& cause : causes_of(reason)) lines.push_back({"misread", text::text_of(cause, with_options)});
+      const std::string fix = reason.remedy.code == Code::kNameTheFile ? "; fix: " + remedy_of(reason) : "";
+      for (const Message& cause : causes_of(reason)) lines.push_back({"misread", text::text_of(cause, with_options) + fix});
       continue;
     }
     const bool may_merge = !with_distances || reason.facts.code == Code::kVerdictLost;

@@ -230,6 +230,21 @@ TEST(VerdictReasons, APoseOnAVehicleThatIsNotWrittenDoesNotCount) {
   EXPECT_EQ(codes_of(written).count("pose-implausible"), 0U) << written.text();
 }
 
+// ROS' pair of files states how its cameras sit to each other.
+TEST(VerdictReasons, APoseThatAPairOfFilesFollowsFromCounts) {
+  const TemporaryFolder folder;
+  std::vector<std::string> words = {"convert"};
+  for (const auto& [name, y] : {std::pair("front.json", "515.0"), std::pair("crlf-tabs.json", "15.0")}) {
+    std::string text = read_file(testdata("formats/woodscape/good/" + std::string(name)));
+    for (const auto& [from, to] : {std::pair("3.7125", "3712.5"), std::pair("0.015", y), std::pair("0.655", "655.0")})
+      text = with_replaced(text, from, to);
+    words.push_back(folder.write(name, text));
+  }
+  words.insert(words.end(), {"--join", "--to", "ros"});
+  const Told run(words);
+  EXPECT_EQ(codes_of(run).count("translation-in-mm"), 1U) << run.text();
+}
+
 // One sample's noise is no density, and a program with an IMU misses it.
 TEST(VerdictReasons, NoiseOfAnUnknownRateIsLost) {
   const std::string config = testdata("formats/vins/good/config.yaml");
