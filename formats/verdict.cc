@@ -2,6 +2,7 @@
 #include <fca/formats/verdict.h>
 
 #include "pose_words.h"
+#include "written_facts.h"
 
 #include <fca/code.h>
 #include <fca/formats/text/numbers.h>
@@ -235,12 +236,6 @@ bool is_among(const std::vector<Reason>& reasons, const Finding& finding) {
   });
 }
 
-/// Does what is written say where the cameras stand?
-bool states_poses(const VerdictFacts& facts) {
-  constexpr std::array<std::string_view, 3> kWithout = {"mono", "rgbd", kLensAlone};
-  return facts.to->extrinsics && std::ranges::find(kWithout, facts.mode) == kWithout.end();
-}
-
 /// The first two cameras of a file, that nothing relates to each other.
 std::optional<std::array<std::string, 2>> unrelated(const Rig& rig, std::span<const std::string> cameras) {
   for (std::size_t i = rig.baseline_m ? 2 : 1; i < cameras.size(); ++i) {
@@ -283,13 +278,6 @@ void add_strange_pair(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   }
 }
 
-/// Does one of the written files hold the camera?
-bool is_written(const std::string& camera, const VerdictFacts& facts) {
-  return facts.files.empty() || std::ranges::any_of(facts.files, [&camera](const std::vector<std::string>& cameras) {
-           return std::ranges::find(cameras, camera) != cameras.end();
-         });
-}
-
 bool is_of_one_camera(const VerdictFacts& facts) { return facts.files.size() == 1 && facts.files.front().size() == 1; }
 
 /// The camera that a finding is about: messages name it first. Empty: none of the rig.
@@ -297,44 +285,6 @@ std::string camera_of(const Finding& finding, const Rig* rig) {
   if (rig == nullptr || finding.facts.arguments.empty()) return "";
   const auto* name = std::get_if<std::string>(&finding.facts.arguments.front().value);
   return name != nullptr && rig->find_camera(*name) != nullptr ? *name : "";
-}
-
-/// Does a written file state the pose, or can what it states be derived from it?
-bool is_written(const PoseEdge& edge, const VerdictFacts& facts) {
-  if (facts.files.empty()) return true;
-  if (!states_poses(facts)) return false;
-  const bool uses_imu = facts.to->imu && (facts.to->modes.empty() || facts.mode.ends_with("inertial"));
-  const auto frame_is_written = [&](const std::string& frame) {
-    switch (facts.rig->kind_of(frame)) {
-      case FrameKind::kImu:
-        return uses_imu;
-      case FrameKind::kVehicle:
-        return facts.to->frame == "vehicle";
-      case FrameKind::kCamera:
-        return is_written(frame, facts);
-      case FrameKind::kOther:
-        return true;
-    }
-    return true;
-  };
-  if (frame_is_written(edge.a) && frame_is_written(edge.b)) return true;
-  // Cameras of one file, or a pair of files, that a frame between them relates.
-  const auto has_several = [](const std::vector<std::string>& cameras) { return cameras.size() > 1; };
-  const bool is_pair_of_files = facts.to->pair_poses && facts.files.size() > 1;
-  return (is_pair_of_files || std::ranges::any_of(facts.files, has_several)) && facts.rig->kind_of(edge.a) != FrameKind::kImu &&
-         facts.rig->kind_of(edge.b) != FrameKind::kImu;
-}
-
-/// Is the finding about a pose that no written file states, by its name, or about poses where none is stated?
-bool is_of_unwritten_pose(const Finding& finding, const VerdictFacts& facts) {
-  if (facts.files.empty() || facts.rig == nullptr) return false;
-  const auto is_named = [&finding](const PoseEdge& edge) {
-    return !finding.facts.arguments.empty() && finding.facts.arguments.front() == Argument(name_of(edge));
-  };
-  const auto named = std::ranges::find_if(facts.rig->poses, is_named);
-  if (named != facts.rig->poses.end()) return !is_written(*named, facts);
-  return info(code_of(finding)).about == About::kPoses && !facts.rig->poses.empty() &&
-         std::ranges::none_of(facts.rig->poses, [&facts](const PoseEdge& edge) { return is_written(edge, facts); });
 }
 
 /// Are the rays of cv::undistortPoints among what the program has no right rays for?

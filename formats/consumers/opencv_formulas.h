@@ -8,7 +8,9 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <optional>
 
 namespace fca::consumers::opencv {
 
@@ -80,6 +82,14 @@ inline Pixel undistort_point(const CameraMatrix& K, const PinholeCoefficients& k
     y = (y0 - dy) * inverse;
   }
   return {x, y};
+}
+
+/// The rays of undistort_point(), for programs that call it.
+inline std::function<std::optional<Ray>(const Pixel&)> undistorted_rays(const CameraMatrix& K, const PinholeCoefficients& k) {
+  return [K, k](const Pixel& pixel) -> std::optional<Ray> {
+    const Pixel point = undistort_point(K, k, pixel);
+    return Ray{point[0], point[1], 1.0};
+  };
 }
 
 /// cv::fisheye::projectPoints with alpha = 0, its default: a skew in K is not used. The angle is the arctangent of the pinhole

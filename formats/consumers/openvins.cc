@@ -57,10 +57,7 @@ std::function<std::optional<Ray>(const Pixel&)> rays_of(const CameraValues& d) {
   const opencv::CameraMatrix K = {d[0], d[1], d[2], d[3], 0.0};
   opencv::PinholeCoefficients coefficients{};
   std::copy_n(d.begin() + 4, 4, coefficients.begin());
-  return [K, coefficients](const Pixel& pixel) -> std::optional<Ray> {
-    const Pixel point = opencv::undistort_point(K, coefficients, pixel);
-    return Ray{point[0], point[1], 1.0};
-  };
+  return opencv::undistorted_rays(K, coefficients);
 }
 
 /// Features behind the camera are rejected when they are triangulated.

@@ -80,10 +80,7 @@ Unprojection pinhole_rays(const Intrinsics& k, const PinholeDistortion& distorti
   const opencv::CameraMatrix K = {k.fx, k.fy, k.cx, k.cy, 0.0};
   opencv::PinholeCoefficients coefficients{};
   std::ranges::copy(distortion, coefficients.begin());
-  return [K, coefficients](const Pixel& pixel) -> std::optional<Ray> {
-    const Pixel point = opencv::undistort_point(K, coefficients, pixel);
-    return Ray{point[0], point[1], 1.0};
-  };
+  return opencv::undistorted_rays(K, coefficients);
 }
 
 // ORB-SLAM3 V1.0, src/CameraModels/KannalaBrandt8.cpp: angles in float, the polynomial in double. No ray is invalid.

@@ -18,7 +18,6 @@
 
 #include <fca/models/camera_model.h>
 
-#include <algorithm>
 #include <array>
 #include <type_traits>
 
@@ -70,9 +69,7 @@ void add_skew(double skew_px, double focal_v, double centre_v, PolarSeries& form
 
 template <class M>
 void polar_form(const Intrinsics<Skewed<M>>& model, const AngleSeries& angle, PolarSeries& form) {
-  Intrinsics<M> straight;
-  std::copy_n(model.values.begin(), straight.values.size(), straight.values.begin());
-  polar_form(straight, angle, form);
+  polar_form(Intrinsics<M>{Skewed<M>::straight(model.values)}, angle, form);
   add_skew(model.values[Skewed<M>::kSkew], model.values[1], model.values[3], form);
 }
 

@@ -47,7 +47,7 @@ std::span<const CodeInfo> verdict_codes() {
       clause(Code::kRewriteDemandsRate, "write a fresh file, which demands the IMU's rate"),
       clause(Code::kRewriteDemandsSize, "write a fresh file, which demands the size of the images"),
       clause(Code::kRewrittenFor, "write a fresh file, which is for {0}: {1:rms}{2:worst}"),
-      clause(Code::kRewrittenIs, "written anew: {0:rms}{1:worst}"),
+      clause(Code::kRewrittenIs, "a fresh file: {0:rms}{1:worst}"),
   };
   return kRows;
 }

@@ -184,9 +184,7 @@ SkewedModel without_skew(const CameraModel& model) {
   return std::visit(
       []<class M>(const Intrinsics<M>& skewed) -> SkewedModel {
         if constexpr (kIsSkewed<M>) {
-          Intrinsics<typename M::Straight> straight;
-          std::copy_n(skewed.values.begin(), straight.values.size(), straight.values.begin());
-          return {straight, skewed.values[M::kSkew]};
+          return {Intrinsics<typename M::Straight>{M::straight(skewed.values)}, skewed.values[M::kSkew]};
         } else {
           return {skewed};
         }

@@ -61,10 +61,7 @@ Values<Woodscape> mapped(std::type_identity<Woodscape> /*model*/, const Values<W
 
 template <class M>
 Values<Skewed<M>> mapped(std::type_identity<Skewed<M>> /*model*/, Values<Skewed<M>> p, const PixelMap& map) {
-  Values<M> straight;
-  std::copy_n(p.begin(), straight.size(), straight.begin());
-  straight = mapped(std::type_identity<M>(), straight, map);
-  std::ranges::copy(straight, p.begin());
+  std::ranges::copy(mapped(std::type_identity<M>(), Skewed<M>::straight(p), map), p.begin());
   p[Skewed<M>::kSkew] *= map.scale[0];
   return p;
 }

@@ -176,7 +176,7 @@ void add_options(Options& options, CheckArguments& arguments) {
                          enumerated(program_ids(), "or") + " (default: the format's own)",
                      request.program);
   options.group(OptionGroup::kOutput);
-  options.value("--explain", "CODE", "The story behind a finding's code; of any code in brackets what it stands for",
+  options.value("--explain", "CODE", "The story behind a finding's code, or the meaning of any code in brackets",
                 [&arguments](const std::string& id) { return take_code(id, arguments.explain); });
   options.flag("--list-codes", "All codes with what they mean", arguments.list_codes);
   options.group(OptionGroup::kProof);

@@ -93,9 +93,9 @@ std::vector<const Candidate*> ranked(const std::vector<Candidate>& candidates) {
   for (const Candidate& candidate : candidates) {
     if (candidate.conversion) result.push_back(&candidate);
   }
-  const auto comes_first = [](const Candidate* a, const Candidate* b) {
-    const bool of_same_kind = a->conversion->report.exact == b->conversion->report.exact && reaches_all(*a) && reaches_all(*b);
-    return of_same_kind && !a->conversion->report.exact ? a->decisive().rms < b->decisive().rms : is_better_choice(*a, *b);
+  const auto is_compared = [](const Candidate& each) { return !each.conversion->report.exact && reaches_all(each); };
+  const auto comes_first = [&](const Candidate* a, const Candidate* b) {
+    return is_compared(*a) && is_compared(*b) ? a->decisive().rms < b->decisive().rms : is_better_choice(*a, *b);
   };
   std::ranges::stable_sort(result, comes_first);
   return result;

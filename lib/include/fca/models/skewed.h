@@ -70,6 +70,12 @@ struct Skewed : internal::RayMap<Skewed<M>>, internal::StartsOf<M> {
     parameters[kSkew] = {"skew", "px", -common_parameter::kInfinity, common_parameter::kInfinity, ParameterGroup::kLens};
     return parameters;
   }();
+  /// The parameters of M among those with the skew.
+  static std::array<double, kSkew> straight(const std::array<double, kSkew + 1>& values) {
+    std::array<double, kSkew> result{};
+    std::copy_n(values.begin(), kSkew, result.begin());
+    return result;
+  }
   static constexpr std::array<std::string_view, 1> kHeldInFits = {"skew"};
   static constexpr bool kKeptOnly = true;
   static constexpr bool kAheadOnly = requires { requires M::kAheadOnly; };
