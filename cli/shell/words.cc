@@ -5,6 +5,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 namespace fca::cli {
@@ -94,6 +95,11 @@ std::string padded(std::string_view text, std::size_t width) {
   std::string result(text);
   if (result.size() < width) result.append(width - result.size(), ' ');
   return result;
+}
+
+std::string pixels(double value, const std::optional<ImageSize>& image) {
+  const double diagonal = image ? std::ceil(std::hypot(image->width, image->height)) : value;
+  return value > diagonal ? "over " + text::format_short(diagonal) : pixels(value);
 }
 
 std::string counted(std::size_t count, const std::string& what) {

@@ -2,6 +2,7 @@
 // Numbers and things in words, for people.
 #pragma once
 
+#include "toolkit/degrees.h"
 #include "toolkit/words.h"
 
 #include <fca/formats/text/prose.h>
@@ -33,9 +34,12 @@ namespace fca::cli {
 [[nodiscard]] std::string in_columns(std::string_view text, std::size_t used, std::size_t indent);
 /// Padded with blanks to `width` on the right.
 [[nodiscard]] std::string padded(std::string_view text, std::size_t width);
+using fca::pixels;
 using text::enumerated;
 using text::nearest;
 using text::shell_word;
+/// An error between pixels of an image: "over 905" where none are so far apart.
+[[nodiscard]] std::string pixels(double value, const std::optional<ImageSize>& image);
 /// "1 file", "2 files"
 [[nodiscard]] std::string counted(std::size_t count, const std::string& what);
 /// "centre (255.5, 250.1), radius 240.1 px"

@@ -2,10 +2,8 @@
 #include "words.h"
 
 #include <fca/formats/text/message.h>
-#include <fca/formats/text/numbers.h>
 
 #include <array>
-#include <cmath>
 
 namespace fca {
 
@@ -14,11 +12,6 @@ std::string pixels(double value) {
   if (value > kBeyondAnyImage) return "over a million";
   const std::array<Argument, 1> arguments = {value};
   return text::filled("{0:px}", arguments);
-}
-
-std::string pixels(double value, const std::optional<ImageSize>& image) {
-  const double diagonal = image ? std::ceil(std::hypot(image->width, image->height)) : value;
-  return value > diagonal ? "over " + text::format_short(diagonal) : pixels(value);
 }
 
 std::string name_in_words(const ConvertedCamera& camera) {

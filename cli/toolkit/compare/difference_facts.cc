@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/difference_facts.h"
 
-#include "words.h"
+#include "degrees.h"
 
 #include <fca/code.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/toolkit/evaluate.h>
 
-#include "words.h"
+#include "degrees.h"
 
 #include <fca/convert/domain.h>
 #include <fca/convert/judge.h>

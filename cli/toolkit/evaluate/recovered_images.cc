@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "degrees.h"
 #include "read/image_planes.h"
 #include "words.h"
 

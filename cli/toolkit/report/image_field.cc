@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "words.h"
+#include "degrees.h"
 
 #include <fca/convert/angle_limit.h>
 #include <fca/convert/domain.h>
