@@ -383,15 +383,13 @@ bool may_be_accepted(const Reason& reason) {
   return reason.facts.code != Code::kPoseMirrors && std::ranges::find(kLimits, reason.facts.code) == kLimits.end();
 }
 
-bool may_be_accepted(std::string_view id) {
-  return std::ranges::none_of(kLimits, [id](Code code) { return info(code).id == id; });
-}
+bool may_be_accepted(Code code) { return !same_id(code, kLimits); }
 
 bool Acceptance::covers(const Reason& reason) const {
   // Of a pose both ends are meant.
   const auto names_it = [this](const Argument& argument) { return argument == Argument(camera); };
-  return id == id_of(reason) && (camera.empty() || camera == reason.camera ||
-                                 (reason.camera.empty() && std::ranges::any_of(reason.facts.arguments, names_it)));
+  return info(code).id == id_of(reason) && (camera.empty() || camera == reason.camera ||
+                                            (reason.camera.empty() && std::ranges::any_of(reason.facts.arguments, names_it)));
 }
 
 bool matters(const Loss& loss, const Format& to, std::string_view mode) {

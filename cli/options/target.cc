@@ -9,6 +9,7 @@
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/limits.h>
+#include <fca/toolkit/acceptance.h>
 
 #include <algorithm>
 #include <utility>
@@ -44,17 +45,12 @@ std::optional<std::string> take_setting(const std::string& word, std::vector<Key
   return std::nullopt;
 }
 
-/// "CODE" or "CODE:CAMERA"
 std::optional<std::string> take_acceptance(const std::string& word, std::vector<Acceptance>& accepted) {
-  const std::size_t colon = word.find(':');
-  const std::string id = word.substr(0, colon);
-  if (!is_code(id)) {
-    std::vector<std::string> known;
-    for (const CodeInfo& code : all_codes()) known.emplace_back(code.id);
-    return unknown_word("code", id, known, "the verdict names them");
-  }
-  if (!may_be_accepted(id)) return "--accept " + id + ": that is a limit of your own; leave out the option that sets it";
-  accepted.push_back({id, colon == std::string::npos ? "" : word.substr(colon + 1)});
+  TypedAcceptance typed = parse_acceptance(word);
+  if (!typed.acceptance) return unknown_code(typed.id, "the verdict names them");
+  if (!may_be_accepted(typed.acceptance->code))
+    return "--accept " + typed.id + ": that is a limit of your own; leave out the option that sets it";
+  accepted.push_back(*std::move(typed.acceptance));
   return std::nullopt;
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "words.h"
 
+#include <fca/code.h>
 #include <fca/formats/program_names.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
 #include <fca/toolkit/target.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace fca::cli {
@@ -72,6 +74,14 @@ std::string model_names() {
 std::string unknown_format(std::string_view typed) { return unknown_word("format", typed, format_ids()); }
 
 std::string unknown_model(std::string_view typed) { return unknown_word("camera model", typed, model_ids()); }
+
+std::string unknown_code(std::string_view typed, std::string_view otherwise) {
+  std::set<std::string> ids;
+  for (const CodeInfo& code : all_codes()) {
+    if (find_code(code.id) != nullptr) ids.emplace(code.id);
+  }
+  return unknown_word("code", typed, std::vector<std::string>(ids.begin(), ids.end()), otherwise);
+}
 
 std::vector<std::string> split(std::string_view list) {
   std::vector<std::string> parts;

@@ -30,6 +30,8 @@ namespace fca::cli {
 /// "unknown format 'orb'; did you mean orbslam3?", with the list when nothing is near.
 [[nodiscard]] std::string unknown_format(std::string_view typed);
 [[nodiscard]] std::string unknown_model(std::string_view typed);
+/// `otherwise`: who knows the codes, where none is near.
+[[nodiscard]] std::string unknown_code(std::string_view typed, std::string_view otherwise);
 
 /// "a,b" in its parts.
 [[nodiscard]] std::vector<std::string> split(std::string_view list);

@@ -32,9 +32,10 @@ std::unique_ptr<Check> check_source(const py::object& source, const std::optiona
   request.inputs = inputs_of(source);
   if (image_size) request.inputs.image_size = size_of(image_size);
   for (const std::string& id : ignore) {
-    if (!is_code(id)) raise_value_error("there is no code '" + id + "'");
+    const CodeInfo* const code = find_code(id);
+    if (code == nullptr) raise_value_error("there is no code '" + id + "'");
+    request.ignored.push_back(code->code);
   }
-  request.ignored = ignore;
   Diagnostics diagnostics;
   auto result = std::make_unique<Check>();
   result->files = std::make_unique<Files>();

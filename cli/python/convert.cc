@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bindings.h"
 
-#include <fca/code.h>
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/prose.h>
 #include <fca/formats/wording.h>
+#include <fca/toolkit/acceptance.h>
 #include <fca/toolkit/convert.h>
 #include <fca/toolkit/save.h>
 #include <fca/toolkit/target.h>
@@ -29,13 +29,11 @@ Target target_named(const std::string& name) {
   raise_value_error("fca-io writes no '" + name + "'; there are " + text::enumerated(known));
 }
 
-/// "CODE" or "CODE:CAMERA"
 Acceptance acceptance_of(const std::string& word) {
-  const std::size_t colon = word.find(':');
-  const std::string id = word.substr(0, colon);
-  if (!is_code(id)) raise_value_error("there is no code '" + id + "'");
-  if (!may_be_accepted(id)) raise_value_error("'" + id + "' is a limit of your own");
-  return {id, colon == std::string::npos ? "" : word.substr(colon + 1)};
+  TypedAcceptance typed = parse_acceptance(word);
+  if (!typed.acceptance) raise_value_error("there is no code '" + typed.id + "'");
+  if (!may_be_accepted(typed.acceptance->code)) raise_value_error("'" + typed.id + "' is a limit of your own");
+  return *std::move(typed.acceptance);
 }
 
 std::unique_ptr<Conversion> convert_source(const py::object& source, const std::string& to,

@@ -273,7 +273,7 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options, s
 }
 
 bool is_ignored(const std::string& id, const CheckOptions& options) {
-  return std::ranges::find(options.ignored, id) != options.ignored.end();
+  return std::ranges::any_of(options.ignored, [&id](Code code) { return info(code).id == id; });
 }
 
 Verdict verdict_on(const CheckReport& report, const Rig* rig, const CheckOptions& options) {

@@ -73,8 +73,9 @@ std::span<const CodeInfo> all_codes() {
   return rows;
 }
 
-bool is_code(std::string_view id) {
-  return id != diagnostics::kClauseId && std::ranges::find(all_codes(), id, &CodeInfo::id) != all_codes().end();
+const CodeInfo* find_code(std::string_view id) {
+  const auto row = std::ranges::find(all_codes(), id, &CodeInfo::id);
+  return id == diagnostics::kClauseId || row == all_codes().end() ? nullptr : &*row;
 }
 
 const CodeInfo& info(Code code) {

@@ -6,6 +6,7 @@
 #include <fca/fca.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/formats/wording.h>
+#include <fca/toolkit/acceptance.h>
 
 #include <algorithm>
 #include <map>
@@ -202,6 +203,21 @@ TEST(Toolkit, AnImageIsMappedPixelByPixel) {
   }
 }
 
+TEST(Toolkit, AnAcceptanceIsACodeAndPerhapsACamera) {
+  for (const CodeInfo& row : all_codes()) {
+    const TypedAcceptance typed = parse_acceptance(std::string(row.id) + ":left:cam0");
+    EXPECT_EQ(typed.id, row.id);
+    ASSERT_EQ(typed.acceptance.has_value(), find_code(row.id) != nullptr) << row.id;
+    if (!typed.acceptance) continue;
+    EXPECT_TRUE(same_id(typed.acceptance->code, row.code)) << row.id;
+    EXPECT_EQ(typed.acceptance->camera, "left:cam0");
+  }
+  EXPECT_EQ(parse_acceptance("poses-contradict").acceptance->camera, "");
+  EXPECT_EQ(parse_acceptance("poses-contradict:").acceptance->camera, "");
+  for (const char* word : {"", ":", ":cam0", "no-such-code", "no-such-code:cam0"})
+    EXPECT_FALSE(parse_acceptance(word).acceptance) << word;
+}
+
 // A program that forgets something is told so.
 TEST(Toolkit, ARequestThatLacksSomethingIsRefused) {
   Files files;
@@ -213,11 +229,6 @@ TEST(Toolkit, ARequestThatLacksSomethingIsRefused) {
   const ConvertResult nothing = convert(no_input, files);
   EXPECT_EQ(nothing.status, Status::kBadRequest);
   EXPECT_TRUE(has(nothing.diagnostics, "no-input"));
-  ConvertRequest unknown = request_for(kDs, "kalibr");
-  unknown.accepted = {{"no-such-code"}};
-  const ConvertResult not_known = convert(unknown, files);
-  EXPECT_EQ(not_known.status, Status::kBadRequest);
-  EXPECT_TRUE(has(not_known.diagnostics, "unknown-code"));
 
   EXPECT_EQ(read({}, files).status, Status::kBadRequest);
   EXPECT_EQ(report({}, files).status, Status::kBadRequest);

@@ -261,20 +261,19 @@ TEST(Verdict, AnAcceptedReasonAsksForCare) {
   VerdictFacts facts;
   facts.to = find_format("kalibr");
   facts.proofs = std::span(&bad, 1);
-  const std::string id(info(Code::kVerdictPixelsOff).id);
-  for (const auto& [acceptance, word] : {std::pair{Acceptance{id, ""}, VerdictWord::kUseWithCare},
-                                         {Acceptance{id, "cam0"}, VerdictWord::kUseWithCare},
-                                         {Acceptance{id, "cam1"}, VerdictWord::kDoNotUse},
-                                         {Acceptance{"left-handed", ""}, VerdictWord::kDoNotUse}}) {
+  for (const auto& [acceptance, word] : {std::pair{Acceptance{Code::kVerdictPixelsOff, ""}, VerdictWord::kUseWithCare},
+                                         {Acceptance{Code::kVerdictPixelsOff, "cam0"}, VerdictWord::kUseWithCare},
+                                         {Acceptance{Code::kVerdictPixelsOff, "cam1"}, VerdictWord::kDoNotUse},
+                                         {Acceptance{Code::kAnyLeftHanded, ""}, VerdictWord::kDoNotUse}}) {
     facts.accepted = std::span(&acceptance, 1);
-    EXPECT_EQ(decide(facts).word, word) << acceptance.id << ":" << acceptance.camera;
+    EXPECT_EQ(decide(facts).word, word) << info(acceptance.code).id << ":" << acceptance.camera;
   }
 }
 
 // A limit of the user's own is no opinion of the program's.
 TEST(Verdict, ALimitIsNotAccepted) {
   const std::vector<Finding> findings = {finding(Severity::kError, Code::kErrorBeyondLimit)};
-  const Acceptance acceptance{std::string(info(Code::kErrorBeyondLimit).id), ""};
+  const Acceptance acceptance{Code::kErrorBeyondLimit};
   VerdictFacts facts;
   facts.to = find_format("kalibr");
   facts.findings = findings;

@@ -17,32 +17,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <set>
 
 namespace fca::cli {
 
 namespace {
 
-std::vector<std::string> code_names() {
-  std::set<std::string> names;
-  for (const CodeInfo& code : all_codes()) {
-    if (is_code(code.id)) names.emplace(code.id);
-  }
-  return {names.begin(), names.end()};
-}
+std::string no_code(const std::string& word) { return unknown_code(word, "fca-io check --list-codes lists them"); }
 
-std::string unknown_code(const std::string& code) {
-  return unknown_word("code", code, code_names(), "fca-io check --list-codes lists them");
-}
-
-/// A row with that id: the general one, where there is one.
-std::optional<std::string> take_code(const std::string& id, const CodeInfo*& target) {
-  target = find_check_code(id);
-  if (target != nullptr) return std::nullopt;
-  const auto row = std::ranges::find_if(all_codes(), [&id](const CodeInfo& code) { return code.id == id && is_code(id); });
-  if (row == all_codes().end()) return unknown_code(id);
-  target = &*row;
-  return std::nullopt;
+/// The row that speaks of a code in general, else its first one.
+std::optional<std::string> take_code(const std::string& word, const CodeInfo*& target) {
+  target = find_check_code(word) != nullptr ? find_check_code(word) : find_code(word);
+  return target != nullptr ? std::nullopt : std::optional(no_code(word));
 }
 
 /// What is wrong with the options, in words.
@@ -182,8 +167,9 @@ void add_options(Options& options, CheckArguments& arguments) {
   options.group(OptionGroup::kProof);
   options.each("--ignore", "CODE", "Leave findings of that code out; may be given several times",
                [&request](const std::string& code) -> std::optional<std::string> {
-                 if (!is_code(code)) return unknown_code(code);
-                 request.ignored.push_back(code);
+                 const CodeInfo* const row = find_code(code);
+                 if (row == nullptr) return no_code(code);
+                 request.ignored.push_back(row->code);
                  return std::nullopt;
                });
   options.value("--fail-on", "SEVERITY", "Exit with 1 from this severity on: error (default) or warning",

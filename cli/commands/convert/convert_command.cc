@@ -12,6 +12,7 @@
 #include "shell/words.h"
 #include "shell/written_outputs.h"
 
+#include <fca/code.h>
 #include <fca/formats/wording.h>
 #include <fca/toolkit/read.h>
 
@@ -78,7 +79,8 @@ void warn_of_unused(const std::vector<Acceptance>& accepted, const std::vector<C
       return outcome.status <= Status::kRejected && outcome.code != ExitCode::kIo;
     };
     if (std::ranges::none_of(outcomes, has_result) || std::ranges::any_of(outcomes, is_used)) continue;
-    console.err("warning: --accept " + each.id + (each.camera.empty() ? "" : ":" + each.camera) + " was not needed\n");
+    console.err("warning: --accept " + std::string(info(each.code).id) + (each.camera.empty() ? "" : ":" + each.camera) +
+                " was not needed\n");
   }
 }
 

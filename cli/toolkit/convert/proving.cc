@@ -186,7 +186,7 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
       const Code reason = proof.loads ? Code::kVerdictNumbersDiffer : Code::kVerdictRefused;
       const bool is_accepted =
           !proof.read_by.empty() ||
-          std::ranges::any_of(request.accepted, [reason](const Acceptance& each) { return each.id == info(reason).id; });
+          std::ranges::any_of(request.accepted, [reason](const Acceptance& each) { return same_id(each.code, reason); });
       result.diagnostics.add(is_accepted ? Severity::kWarning : Severity::kError,
                              of_base ? Code::kProofOfBaseFailed : Code::kProofFailed,
                              {program, disagreement(proof), request.into});

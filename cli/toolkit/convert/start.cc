@@ -137,11 +137,6 @@ bool read_start(const ConvertRequest& request, Files& files, Start& start, std::
     result.diagnostics.add(Code::kNoTarget);
     return false;
   }
-  for (const Acceptance& accepted : request.accepted) {
-    if (is_code(accepted.id)) continue;
-    result.diagnostics.add(Code::kUnknownAcceptance, {accepted.id});
-    return false;
-  }
   if (const Message problem = without_use(request, *result.to); problem.is_said()) {
     result.diagnostics.add(problem.code, problem.arguments);
     result.status = Status::kBadRequest;

@@ -18,7 +18,6 @@ std::span<const CodeInfo> request_codes() {
   static constexpr std::array kRows = {
       error(Code::kNoInput, "no-input", "no file is given"),
       error(Code::kNoTarget, "no-target", "no format is given to write"),
-      error(Code::kUnknownAcceptance, "unknown-code", "no reason against a file has the code '{0}'"),
       error(Code::kFileWithoutCamera, "no-camera", "{0} holds no camera"),
 
       // compare

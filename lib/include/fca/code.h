@@ -1638,7 +1638,6 @@ enum class Code : std::uint16_t {
   // What is said of the other requests, and of files that are saved.
   kNoInput,
   kNoTarget,
-  kUnknownAcceptance,
   kFileWithoutCamera,
   kNothingCompared,
   kDifferenceBeyondLimit,
@@ -1726,8 +1725,8 @@ struct CodeInfo {
 
 /// The table: one row for each code but kNone.
 [[nodiscard]] std::span<const CodeInfo> all_codes();
-/// Has one of them that id? Parts of sentences have none.
-[[nodiscard]] bool is_code(std::string_view id);
+/// The first row of that id; null if none has it. Parts of sentences have no id.
+[[nodiscard]] const CodeInfo* find_code(std::string_view id);
 /// The row of a code. kNone, and what is no code, has an empty one.
 [[nodiscard]] const CodeInfo& info(Code code);
 

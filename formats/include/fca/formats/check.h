@@ -67,7 +67,7 @@ struct CheckOptions {
   const Format* from = nullptr;                  ///< Null: detected.
   const consumers::Consumer* program = nullptr;  ///< The program the file is meant for; null: the format's own.
   std::optional<double> max_angle_rad;           ///< What counts as lens, from the axis.
-  std::vector<std::string> ignored;              ///< Ids of findings that are left out.
+  std::vector<Code> ignored;                     ///< Findings with their ids are left out.
   bool parts = false;                            ///< Are the files that it names as parts of it to be looked for, and read?
 };
 

@@ -32,7 +32,7 @@ struct Reason {
 
 /// Limits that the user set are not overruled by the user.
 [[nodiscard]] bool may_be_accepted(const Reason& reason);
-[[nodiscard]] bool may_be_accepted(std::string_view id);
+[[nodiscard]] bool may_be_accepted(Code code);
 
 struct Verdict {
   VerdictWord word = VerdictWord::kReady;
@@ -41,7 +41,7 @@ struct Verdict {
 
 /// A reason that the user overrules.
 struct Acceptance {
-  std::string id;
+  Code code = {};           ///< One of those that have the reason's id.
   std::string camera = {};  ///< Empty: of any.
   [[nodiscard]] bool covers(const Reason& reason) const;
 };

@@ -16,7 +16,7 @@ namespace fca {
 struct CheckRequest {
   Inputs inputs;
   const consumers::Consumer* program = nullptr;  ///< The program that the file is meant for; null: the format's own.
-  std::vector<std::string> ignored;              ///< Codes of findings that are left out.
+  std::vector<Code> ignored;                     ///< Findings with their ids are left out.
 };
 
 struct CheckResult {
