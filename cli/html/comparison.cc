@@ -16,15 +16,10 @@
 #include <fca/rig/image_change.h>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace fca::cli {
 
 namespace {
-
-std::string file_name(const std::string& path) {
-  return path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
-}
 
 std::string both_names(const CameraComparison& camera) {
   return camera.reference == camera.other ? camera.reference : camera.reference + " and " + camera.other;
@@ -129,7 +124,7 @@ void put_rigs(Html& html, const ReferenceFile& reference, const ComparedFile& co
     const PlacedRig placed = placed_rig(calibration->rig);
     if (placed.frames.size() < 2) continue;
     const bool first = calibration == &*reference.calibration;
-    html.element("h3", {}, file_name(first ? reference.file : compared.file) + (first ? " (reference)" : " (compared)"));
+    html.element("h3", {}, file_in_words(first ? reference.file : compared.file) + (first ? " (reference)" : " (compared)"));
     html.element("div", {{"class", "figures"}}, [&] { put_rig(html, placed, calibration->poses_without_unit.empty()); });
   }
 }
@@ -179,7 +174,7 @@ void put_diagnostics(Html& html, const char* title, const Diagnostics& diagnosti
 std::string comparison_page(const ReferenceFile& reference, const ComparedFile& compared, std::optional<double> max_angle_rad,
                             const std::string& command) {
   const RigComparison& comparison = *compared.comparison;
-  const std::string title = file_name(compared.file) + " beside " + file_name(reference.file);
+  const std::string title = file_in_words(compared.file) + " beside " + file_in_words(reference.file);
   return page_around(title, [&](Html& html) {
     html.element("h1", {}, title);
     html.element("p", {{"class", "soft"}},

@@ -67,12 +67,12 @@ std::vector<FoundFile> walk(const std::vector<std::string>& paths, WantedExtensi
   std::set<fs::path> met;
   const auto add = [&found, &met](FoundFile file) {
     std::error_code error;  // what has no such path is told by its name
-    const fs::path where = file.path == "-" ? fs::path("-") : fs::weakly_canonical(file.path, error);
+    const fs::path where = is_standard_input(file.path) ? fs::path(file.path) : fs::weakly_canonical(file.path, error);
     if (met.insert(error ? fs::path(file.path) : where).second) found.push_back(std::move(file));
   };
   for (const FoundFile& each : resolved) {
     std::error_code error;
-    if (each.path == "-" || !fs::is_directory(each.path, error) || (whole_rigs && is_rig(each.path))) {
+    if (is_standard_input(each.path) || !fs::is_directory(each.path, error) || (whole_rigs && is_rig(each.path))) {
       add(each);
       continue;
     }

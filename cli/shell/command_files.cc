@@ -13,7 +13,7 @@ std::optional<Image> CommandFiles::read_image(const std::string& path, Diagnosti
 }
 
 std::optional<text::Source> CommandFiles::fetch(const std::string& path, Diagnostics& diagnostics) const {
-  if (path == "-") return text::read_stream(text::kStandardInput, streams_->in);
+  if (is_standard_input(path)) return text::read_stream(text::kStandardInput, streams_->in);
   return text::read_source(path, diagnostics);
 }
 

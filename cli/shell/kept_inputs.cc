@@ -7,7 +7,7 @@ namespace {
 
 /// Empty where it is no file.
 std::filesystem::path place_of(const std::string& file) {
-  if (file == "-") return {};
+  if (is_standard_input(file)) return {};
   std::error_code error;
   return std::filesystem::weakly_canonical(file, error);
 }

@@ -31,7 +31,7 @@ std::string joined(const std::vector<std::string>& names) {
 
 /// Of a folder its name, however it was written ("sparse/", ".").
 std::string stem_of(const std::string& input) {
-  if (input == "-") return "stdin";
+  if (is_standard_input(input)) return "stdin";
   const fs::path path = input;
   if (path.has_filename() && path.filename() != "." && path.filename() != "..") return path.stem().string();
   std::error_code error;  // a folder that is gone has no name
@@ -42,7 +42,7 @@ std::string stem_of(const std::string& input) {
 /// The name of the folder that an input lies in.
 std::string folder_of(const std::string& input) {
   std::error_code error;  // a folder that is gone has no name
-  return input == "-" ? "stdin" : fs::absolute(input, error).lexically_normal().parent_path().filename().string();
+  return is_standard_input(input) ? "stdin" : fs::absolute(input, error).lexically_normal().parent_path().filename().string();
 }
 
 /// A file of a program's own folder, in that one ("mav0") or in what is to hold it.

@@ -2,10 +2,12 @@
 #include "words.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/toolkit/files.h>
 
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 namespace fca::cli {
@@ -100,6 +102,10 @@ std::string padded(std::string_view text, std::size_t width) {
 std::string pixels(double value, const std::optional<ImageSize>& image) {
   const double diagonal = image ? std::ceil(std::hypot(image->width, image->height)) : value;
   return value > diagonal ? "over " + text::format_short(diagonal) : pixels(value);
+}
+
+std::string file_in_words(const std::string& path) {
+  return is_standard_input(path) ? "standard input" : std::filesystem::path(path).filename().string();
 }
 
 std::string counted(std::size_t count, const std::string& what) {

@@ -40,6 +40,8 @@ using text::nearest;
 using text::shell_word;
 /// An error between pixels of an image: "over 905" where none are so far apart.
 [[nodiscard]] std::string pixels(double value, const std::optional<ImageSize>& image);
+/// A file without its folder, or "standard input".
+[[nodiscard]] std::string file_in_words(const std::string& path);
 /// "1 file", "2 files"
 [[nodiscard]] std::string counted(std::size_t count, const std::string& what);
 /// "centre (255.5, 250.1), radius 240.1 px"

@@ -59,7 +59,7 @@ std::optional<Calibration> read_file(const CompareRequest& request, const std::s
                                      Diagnostics& diagnostics) {
   Inputs inputs = inputs_of(request, file);
   const bool one_chosen = inputs.cameras && inputs.cameras->size() == 1;
-  if (one_chosen && file != "-" && has_one_camera(inputs, files)) inputs.cameras.reset();
+  if (one_chosen && !is_standard_input(file) && has_one_camera(inputs, files)) inputs.cameras.reset();
   return read_in_unit(inputs, files, diagnostics);
 }
 

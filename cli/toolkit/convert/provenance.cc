@@ -67,7 +67,7 @@ std::vector<std::string> lines_for(const Written::File& file, const ConvertReque
   std::vector<std::string> lines = {std::string(kFirstWords) + FCA_VERSION + " from"};
   for (const text::Document& document : calibration.documents) {
     const text::Source& source = document.source();
-    const std::string name = source.name == "-" ? "standard input" : std::filesystem::path(source.name).filename().string();
+    const std::string name = std::filesystem::path(source.name).filename().string();
     lines.push_back("  " + name + std::string(kHash) + sha256(source.bytes));
   }
   // What the base said of itself goes; what it was does not.

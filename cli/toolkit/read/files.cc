@@ -8,7 +8,8 @@
 namespace fca {
 
 std::optional<text::Source> Files::read(const std::string& path, Diagnostics& diagnostics) {
-  const auto before = path == "-" ? std::ranges::find(sources_, text::kStandardInput, &text::Source::name) : sources_.end();
+  const auto before =
+      is_standard_input(path) ? std::ranges::find(sources_, text::kStandardInput, &text::Source::name) : sources_.end();
   std::optional<text::Source> source = before != sources_.end() ? std::optional(*before) : fetch(path, diagnostics);
   if (source) remember(*source);
   return source;

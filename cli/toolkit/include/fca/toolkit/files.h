@@ -13,6 +13,9 @@
 
 namespace fca {
 
+/// Does a path stand for standard input?
+[[nodiscard]] constexpr bool is_standard_input(std::string_view path) { return path == "-"; }
+
 /// The files of one request, from the disk or, where the two virtual functions are overridden, from elsewhere. It keeps what
 /// was read: diagnostics point into it. Not to be used by two threads at once.
 class Files {
