@@ -15,7 +15,6 @@
 
 #include <fca/formats/consumers/missing_module.h>
 
-#include <algorithm>
 #include <exception>
 #include <string>
 
@@ -25,7 +24,6 @@ namespace {
 
 ExitCode run_words(std::span<const std::string> words, Streams& streams) {
   Console console(streams);
-  if (std::ranges::find(words, "--json") != words.end()) console.promise_json();
   Application application;
   add_convert_command(application);
   add_show_command(application);

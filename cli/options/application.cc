@@ -2,9 +2,11 @@
 #include "application.h"
 
 #include "help_text.h"
+#include "output.h"
 #include "words.h"
 
 #include <fca/formats/text/prose.h>
+#include <fca/toolkit/files.h>
 
 #include <algorithm>
 #include <optional>
@@ -28,6 +30,9 @@ struct Application::Parser {
       result.push_back(subcommand->get_name());
     return result;
   }
+
+  /// Is the command's document promised? `rest`: what parsing has left.
+  [[nodiscard]] bool promises_json(const std::vector<std::string>& rest) const;
 };
 
 Application::Application() : parser_(std::make_unique<Parser>()) {
@@ -61,9 +66,25 @@ void Application::add(const std::string& name, const std::string& description,
 
 namespace {
 
+/// Is --json among words that no command has taken?
+bool ask_for_json(const std::vector<std::string>& words) {
+  CLI::App any;
+  any.set_help_flag();
+  any.allow_extras();
+  Options options(any);
+  bool json = false;
+  add_json_option(options, json);
+  try {
+    any.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::ParseError&) {
+    return false;
+  }
+  return json;
+}
+
 /// `fca-io FILE` is `fca-io show FILE`: is the first word anything like a path, and no command?
 bool is_path(const std::string& word) {
-  return word == "-" || word.find_first_of("./") != std::string::npos ||
+  return is_standard_input(word) || word.find_first_of("./") != std::string::npos ||
          CLI::detail::check_path(word.c_str()) != CLI::detail::path_type::nonexistent;
 }
 
@@ -101,22 +122,40 @@ std::optional<std::string> unknown_option(std::span<const std::string> words, co
   return std::nullopt;
 }
 
+/// What is wrong with the command line.
+struct Refusal {
+  std::string problem;
+  std::string fix = {};
+};
+
 }  // namespace
+
+bool Application::Parser::promises_json(const std::vector<std::string>& rest) const {
+  std::vector<std::string> words = app.remaining(true);
+  words.insert(words.end(), rest.rbegin(), rest.rend());
+  return (options && options->has_flag(OptionKey::kJson)) || ask_for_json(words);
+}
 
 ExitCode Application::run(std::span<const std::string> given, Console& console) {
   std::vector<std::string> words(given.begin(), given.end());
   replace_aliases(words);
   const std::vector<std::string> names = parser_->names();
   const auto is_name = [&names](const std::string& word) { return std::ranges::find(names, word) != names.end(); };
-  if (!words.empty() && (!words.front().starts_with('-') || words.front() == "-") && !is_name(words.front())) {
-    if (!is_path(words.front())) return console.refuse(ExitCode::kUsage, unknown_word("command", words.front(), names));
+  if (!words.empty() && (!words.front().starts_with('-') || is_standard_input(words.front())) && !is_name(words.front())) {
+    if (!is_path(words.front())) {
+      if (ask_for_json(words)) console.promise_json();
+      return console.refuse(ExitCode::kUsage, unknown_word("command", words.front(), names));
+    }
     words.insert(words.begin(), "show");
   }
+  std::vector<std::string> rest(words.rbegin(), words.rend());  // as CLI11 wants it
+  std::optional<Refusal> refusal;
   try {
-    std::vector<std::string> reversed(words.rbegin(), words.rend());  // as CLI11 wants it
-    parser_->app.parse(reversed);
+    parser_->app.parse(rest);
+    const std::optional<std::string> problem = parser_->options ? parser_->options->finish() : std::nullopt;
+    if (problem) refusal = {*problem};
   } catch (const UsageProblem& problem) {
-    return console.refuse(ExitCode::kUsage, problem.sentence);
+    refusal = {problem.sentence};
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
       std::ostringstream text;
@@ -128,9 +167,11 @@ ExitCode Application::run(std::span<const std::string> given, Console& console) 
     const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
     const std::string problem =
         (is_extra && parser_->options ? unknown_option(words, *parser_->options) : std::nullopt).value_or(error.what());
-    return console.refuse(ExitCode::kUsage, named ? words.front() + ": " + problem : problem,
-                          (named ? "fca-io " + words.front() : "fca-io") + std::string(" --help"));
+    refusal = {named ? words.front() + ": " + problem : problem,
+               (named ? "fca-io " + words.front() : "fca-io") + std::string(" --help")};
   }
+  if (parser_->promises_json(rest)) console.promise_json();
+  if (refusal) return console.refuse(ExitCode::kUsage, refusal->problem, refusal->fix);
   if (!parser_->chosen) {
     console.err(parser_->app.help());
     return ExitCode::kUsage;

@@ -95,10 +95,13 @@ void add_input_options(Options& options, Inputs& inputs) {
                 [&inputs](const std::string& word) { return take_format("--from", word, inputs.format); });
   options.each("--with", "FILE", "A further part of the same calibration, e.g. imu.yaml; may be given several times",
                inputs.parts);
-  options.value("--camera", "LIST", "Only these cameras, in this order: 1,0 or cam1", [&inputs](const std::string& word) {
-    inputs.cameras = parse_cameras(word);
-    return std::nullopt;
-  });
+  options.value(
+      "--camera", "LIST", "Only these cameras, in this order: 1,0 or cam1",
+      [&inputs](const std::string& word) {
+        inputs.cameras = parse_cameras(word);
+        return std::nullopt;
+      },
+      OptionKey::kCameras);
   options.value("--size", "WxH", "Image size of an input that does not state one: 640x480",
                 [&inputs](const std::string& word) { return take_size("--size", word, inputs.image_size); });
   options.value("--unit", "m|cm|mm",
@@ -133,6 +136,10 @@ void add_lens_circle_option(Options& options, Inputs& inputs) {
                  inputs.lens_circles.push_back(parse_camera_image(word));
                  return std::nullopt;
                });
+  options.afterwards([&inputs]() -> std::optional<std::string> {
+    if (inputs.lens_circles.empty() || !inputs.max_angle_rad) return std::nullopt;
+    return "--max-angle and --lens-circle both say where the lens ends; give one of them";
+  });
 }
 
 void add_join_option(Options& options, Inputs& inputs) {
@@ -172,10 +179,8 @@ std::vector<std::string> all_changes() {
   return names;
 }
 
-std::optional<std::string> problem_with(const Inputs& inputs) {
-  if (inputs.max_angle_rad && !inputs.lens_circles.empty())
-    return "--max-angle and --lens-circle both say where the lens ends; give one of them";
-  return std::nullopt;
+std::ptrdiff_t reads_of_standard_input(const std::vector<std::string>& files) {
+  return std::ranges::count_if(files, [](const std::string& file) { return is_standard_input(file); });
 }
 
 std::vector<Inputs> grouped(const Inputs& inputs) {

@@ -6,7 +6,7 @@
 
 #include <fca/toolkit/inputs.h>
 
-#include <optional>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace fca::cli {
 /// --from, --with, --camera, --size, --crop, --binning, --resize, --opencv-model, --max-angle
 void add_input_options(Options& options, Inputs& inputs);
 
-/// --lens-circle, for commands that measure over the lens.
+/// --lens-circle, for commands that measure over the lens, in place of --max-angle.
 void add_lens_circle_option(Options& options, Inputs& inputs);
 
 /// --join, for commands that take several files.
@@ -29,8 +29,8 @@ void add_imu_option(Options& options, Inputs& inputs);
 /// All that there are, for commands that look at a file as it stands.
 [[nodiscard]] std::vector<std::string> all_changes();
 
-/// A usage error among these options together, in words.
-[[nodiscard]] std::optional<std::string> problem_with(const Inputs& inputs);
+/// How often standard input is among the files.
+[[nodiscard]] std::ptrdiff_t reads_of_standard_input(const std::vector<std::string>& files);
 
 /// The files as calibrations are read from them: each by itself, or all together under --join. The other members are those of
 /// `inputs`.

@@ -5,6 +5,7 @@
 
 #include <fca/formats/text/numbers.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -40,15 +41,21 @@ void Options::positional(const std::string& name, const std::string& help, std::
   command_.add_option(name, target, help)->required(required);
 }
 
-void Options::positional(const std::string& name, const std::string& help, std::string& target, bool required) {
-  command_.add_option(name, target, help)->required(required);
-}
-
-void Options::value(const std::string& name, const std::string& type, const std::string& help, TakeWord take) {
+void Options::one_positional(const std::string& name, const std::string& help, std::vector<std::string>& target,
+                             bool required) {
   command_
       .add_option_function<std::string>(
-          name, [take = std::move(take)](const std::string& word) { check(take(word)); }, help)
-      ->type_name(type);
+          name, [&target](const std::string& word) { target = {word}; }, help)
+      ->required(required);
+}
+
+void Options::value(const std::string& name, const std::string& type, const std::string& help, TakeWord take, OptionKey key) {
+  const CLI::Option* const option =
+      command_
+          .add_option_function<std::string>(
+              name, [take = std::move(take)](const std::string& word) { check(take(word)); }, help)
+          ->type_name(type);
+  keys_.emplace(option, key);
 }
 
 void Options::value(const std::string& name, const std::string& type, const std::string& help, std::string& target) {
@@ -98,7 +105,9 @@ void Options::each(const std::string& name, const std::string& type, const std::
   take_one_each_time(*command_.add_option(name, target, help)->type_name(type));
 }
 
-void Options::flag(const std::string& name, const std::string& help, bool& target) { command_.add_flag(name, target, help); }
+void Options::flag(const std::string& name, const std::string& help, bool& target, OptionKey key) {
+  keys_.emplace(command_.add_flag(name, target, help), key);
+}
 
 void Options::count(const std::string& name, const std::string& help, int& target) {
   command_
@@ -148,12 +157,31 @@ void Options::refuse_empty_values() {
   }
 }
 
+std::optional<std::string> Options::finish() const {
+  for (const FinishRequest& finish : finish_) {
+    if (std::optional<std::string> problem = finish()) return problem;
+  }
+  return std::nullopt;
+}
+
+OptionKey Options::key_of(const CLI::Option* option) const {
+  const auto found = keys_.find(option);
+  return found != keys_.end() ? found->second : OptionKey::kOther;
+}
+
+bool Options::has_flag(OptionKey key) const {
+  return std::ranges::any_of(keys_, [key](const auto& entry) {
+    return entry.second == key && entry.first->count() > 0 && entry.first->results().back() == "true";
+  });
+}
+
 TypedOptions Options::typed() const {
   TypedOptions result;
   std::map<const CLI::Option*, std::size_t> used;  // values of each
   for (const CLI::Option* option : command_.parse_order()) {
     TypedOption typed;
     typed.name = option->get_name();
+    typed.key = key_of(option);
     typed.positional = option->get_positional();
     typed.about_output = !typed.positional && option->get_group() == title_of(OptionGroup::kOutput);
     if (option->get_items_expected_max() > 0) typed.value = option->results().at(used[option]++);

@@ -5,15 +5,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace fca::cli {
 
@@ -25,10 +28,18 @@ struct UsageProblem {
   std::string sentence;
 };
 
+/// Finishes a request when all words are taken. Returns what is wrong with them together, in a sentence; nothing if all is
+/// well.
+using FinishRequest = std::function<std::optional<std::string>()>;
+
+/// An option that code asks for among those that were typed.
+enum class OptionKey : std::uint8_t { kOther, kCameras, kModel, kJson };
+
 /// An option as it was typed, once: one that came several times is several.
 struct TypedOption {
-  std::string name;                  ///< "--to"; of positional words "FILE".
-  std::optional<std::string> value;  ///< Nothing: a flag.
+  std::string name;  ///< "--to"; of positional words "FILE".
+  OptionKey key = OptionKey::kOther;
+  std::optional<std::string> value = {};  ///< Nothing: a flag.
   bool positional = false;
   bool about_output = false;  ///< It does not change the written file.
 };
@@ -47,10 +58,12 @@ class Options {
 
   /// Words without a name in front, such as files.
   void positional(const std::string& name, const std::string& help, std::vector<std::string>& target, bool required = true);
-  void positional(const std::string& name, const std::string& help, std::string& target, bool required = true);
+  /// One such word.
+  void one_positional(const std::string& name, const std::string& help, std::vector<std::string>& target, bool required = true);
 
   /// An option with one value.
-  void value(const std::string& name, const std::string& type, const std::string& help, TakeWord take);
+  void value(const std::string& name, const std::string& type, const std::string& help, TakeWord take,
+             OptionKey key = OptionKey::kOther);
   void value(const std::string& name, const std::string& type, const std::string& help, std::string& target);
   /// A plain decimal number ("0x61" is none).
   void number(const std::string& name, const std::string& type, const std::string& help, std::optional<double>& target);
@@ -64,7 +77,7 @@ class Options {
   void each(const std::string& name, const std::string& type, const std::string& help, TakeWord take);
   void each(const std::string& name, const std::string& type, const std::string& help, std::vector<std::string>& target);
 
-  void flag(const std::string& name, const std::string& help, bool& target);
+  void flag(const std::string& name, const std::string& help, bool& target, OptionKey key = OptionKey::kOther);
   /// A flag that may come several times.
   void count(const std::string& name, const std::string& help, int& target);
   /// A flag that sets `target` to false, beside its opposite, which is the default.
@@ -84,15 +97,26 @@ class Options {
   /// After the list of options: examples.
   void footer(const std::string& text);
 
+  /// What is done when all words are taken, in the order of these calls.
+  void afterwards(FinishRequest finish) { finish_.push_back(std::move(finish)); }
+  /// Does it. The first problem ends it.
+  [[nodiscard]] std::optional<std::string> finish() const;
+
   /// No option takes an empty value, a script's unset variable. To be called after the last definition.
   void refuse_empty_values();
   /// Those that were given, in their order.
   [[nodiscard]] TypedOptions typed() const;
+  /// Was the flag given, as far as the words were parsed?
+  [[nodiscard]] bool has_flag(OptionKey key) const;
   /// The words that options begin with: "--to".
   [[nodiscard]] std::vector<std::string> names() const;
 
  private:
+  [[nodiscard]] OptionKey key_of(const CLI::Option* option) const;
+
   CLI::App& command_;
+  std::map<const CLI::Option*, OptionKey> keys_;
+  std::vector<FinishRequest> finish_;
 };
 
 }  // namespace fca::cli

@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output.h"
 
-#include "words.h"
+#include <filesystem>
+#include <system_error>
 
 namespace fca::cli {
 
 namespace {
 
-constexpr const char* kOutput = "-o,--output";
 constexpr const char* kVerbose = "-v,--verbose";
+
+/// A folder ends with a slash or is there.
+OutputPlace output_place(const std::string& word) {
+  if (word == "-") return {OutputPlace::Kind::kStandardOutput, ""};
+  if (word.find('{') != std::string::npos) return {OutputPlace::Kind::kPattern, word};
+  std::error_code error;  // what cannot be asked is no folder; writing will tell
+  const bool is_folder = word.ends_with('/') || std::filesystem::is_directory(word, error);
+  return {is_folder ? OutputPlace::Kind::kFolder : OutputPlace::Kind::kFile, word};
+}
 
 }  // namespace
 
-void add_output_option(Options& options, const std::string& help, std::string& path) {
-  options.group(OptionGroup::kOutput);
-  options.value(kOutput, "PATH", help, path);
-}
-
 void add_output_option(Options& options, const std::string& help, OutputPlace& place) {
   options.group(OptionGroup::kOutput);
-  options.value(kOutput, "PATH", help, [&place](const std::string& word) { return take_place(word, place); });
+  options.value("-o,--output", "PATH", help, [&place](const std::string& word) {
+    place = output_place(word);
+    return std::nullopt;
+  });
 }
 
 void add_verbose_option(Options& options, const std::string& help, bool& is_verbose) {
@@ -34,7 +41,7 @@ void add_verbose_option(Options& options, const std::string& help, int& verbosit
 
 void add_json_option(Options& options, bool& json) {
   options.group(OptionGroup::kOutput);
-  options.flag("--json", "One JSON document on standard output", json);
+  options.flag("--json", "One JSON document on standard output", json, OptionKey::kJson);
 }
 
 void add_force_option(Options& options, const std::string& help, bool& force) {

@@ -10,9 +10,7 @@
 
 namespace fca::cli {
 
-/// -o: one file,
-void add_output_option(Options& options, const std::string& help, std::string& path);
-/// or where several go.
+/// -o
 void add_output_option(Options& options, const std::string& help, OutputPlace& place);
 /// -v
 void add_verbose_option(Options& options, const std::string& help, bool& is_verbose);

@@ -8,6 +8,7 @@
 #include <fca/code.h>
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
 #include <fca/rig/limits.h>
 #include <fca/toolkit/acceptance.h>
 
@@ -54,13 +55,35 @@ std::optional<std::string> take_acceptance(const std::string& word, std::vector<
   return std::nullopt;
 }
 
+/// "ocamcalib: 4 to 8" of each model that has a degree; `between` stands between its name and its degrees.
+std::string degrees_in_words(const std::string& between) {
+  std::vector<std::string> models;
+  for (const ModelInfo& model : all_models()) {
+    if (model.least_degree > 0)
+      models.push_back(std::string(model.id) + between + std::to_string(model.least_degree) + " to " +
+                       std::to_string(model.most_degree));
+  }
+  return text::enumerated(models, "or");
+}
+
+/// "orbslam3: mono, stereo or rgbd" of each format that has modes.
+std::string modes_in_words() {
+  std::string words;
+  for (const Format& format : all_formats()) {
+    if (format.modes.empty()) continue;
+    const std::vector<std::string> modes(format.modes.begin(), format.modes.end());
+    words += (words.empty() ? "" : "; ") + std::string(format.id) + ": " + text::enumerated(modes, "or");
+  }
+  return words;
+}
+
 std::optional<std::string> take_degree(const std::string& word, std::optional<int>& target) {
   target = word == "auto" ? std::nullopt : text::parse_int(word);
   const bool is_known = std::ranges::any_of(all_models(), [&target](const ModelInfo& model) {
     return target && model.least_degree > 0 && *target >= model.least_degree && *target <= model.most_degree;
   });
   if (word != "auto" && !is_known)
-    return "--degree wants auto, or a degree that a model has (ocamcalib: 4 to 8), not '" + word + "'";
+    return "--degree wants auto, or a degree that a model has (" + degrees_in_words(": ") + "), not '" + word + "'";
   return std::nullopt;
 }
 
@@ -80,14 +103,12 @@ void add_to_option(Options& options, const std::string& help, ConvertRequest& re
 
 void add_model_option(Options& options, const ModelOption& option, TakeWord take) {
   options.group(OptionGroup::kTarget);
-  options.value("--model", option.values, option.help + ": " + model_names() + option.more, std::move(take));
+  options.value("--model", option.values, option.help + ": " + model_names() + option.more, std::move(take), OptionKey::kModel);
 }
 
 void add_target_options(Options& options, ConvertRequest& request) {
   options.group(OptionGroup::kTarget);
-  options.value("--sensor", "MODE",
-                "orbslam3: mono, stereo, rgbd, mono-inertial, stereo-inertial or rgbd-inertial (default: the richest the input "
-                "serves)",
+  options.value("--sensor", "MODE", modes_in_words() + " (default: the richest the input serves)",
                 [&request](const std::string& word) { return take_mode(word, request.mode); });
   for (const Format& format : all_formats()) {
     if (format.layouts.empty()) continue;
@@ -99,7 +120,7 @@ void add_target_options(Options& options, ConvertRequest& request) {
                 "What a fit makes small: rms, or max, the error of the worst pixel (the report says what that costs in rms)",
                 [&request](const std::string& word) { return take_objective(word, request.objective); });
   options.value("--degree", "N|auto",
-                "Of ocamcalib's polynomial, 4 to 8 (default: auto, the lowest that is nearly as good as any)",
+                "Of " + degrees_in_words("'s polynomial, ") + " (default: auto, the lowest that is nearly as good as any)",
                 [&request](const std::string& word) { return take_degree(word, request.degree); });
   add_every_pixel_option(options, request.every_pixel);
   options.group(OptionGroup::kTarget);

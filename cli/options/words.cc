@@ -126,9 +126,4 @@ std::optional<std::string> take_size(const std::string& option, const std::strin
   return option + " wants WIDTHxHEIGHT in whole pixels, such as 640x480; got '" + word + "'";
 }
 
-std::optional<std::string> take_place(const std::string& word, OutputPlace& target) {
-  target = output_place(word);
-  return std::nullopt;
-}
-
 }  // namespace fca::cli

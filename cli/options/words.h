@@ -2,8 +2,6 @@
 // Typed words that name things or hold numbers, and what is wrong with those that do not.
 #pragma once
 
-#include "shell/output_name.h"
-
 #include <fca/toolkit/convert.h>
 
 #include <fca/formats/format.h>
@@ -47,8 +45,5 @@ namespace fca::cli {
 /// Takes "640x480". `option` is named where it cannot.
 [[nodiscard]] std::optional<std::string> take_size(const std::string& option, const std::string& word,
                                                    std::optional<ImageSize>& target);
-
-/// -o
-[[nodiscard]] std::optional<std::string> take_place(const std::string& word, OutputPlace& target);
 
 }  // namespace fca::cli

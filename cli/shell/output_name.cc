@@ -62,14 +62,6 @@ std::string with_names_of(const std::string& input, const std::string& camera, c
   return replaced(path, "{camera}", as_file_name(camera));
 }
 
-OutputPlace output_place(const std::string& word) {
-  if (word == "-") return {OutputPlace::Kind::kStandardOutput, ""};
-  if (word.find('{') != std::string::npos) return {OutputPlace::Kind::kPattern, word};
-  std::error_code error;  // what cannot be asked is no folder; writing will tell
-  const bool is_folder = word.ends_with('/') || fs::is_directory(word, error);
-  return {is_folder ? OutputPlace::Kind::kFolder : OutputPlace::Kind::kFile, word};
-}
-
 void make_folder_of(const std::string& path, const OutputPlace& place) {
   if (!place.holds_many()) return;
   std::error_code error;  // what is wrong with the folder, writing into it will tell

@@ -27,9 +27,6 @@ struct OutputPlace {
   [[nodiscard]] bool is_folder_pattern() const { return kind == Kind::kPattern && path.ends_with('/'); }
 };
 
-/// Of a word that is no empty one. A folder ends with a slash or is there.
-[[nodiscard]] OutputPlace output_place(const std::string& word);
-
 /// What output_path() fills in.
 inline constexpr std::array<std::string_view, 5> kPlaceholders = {"{stem}", "{extension}", "{folder}", "{camera}", "{format}"};
 

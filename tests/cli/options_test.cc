@@ -42,8 +42,12 @@ TEST(Options, UnknownPlaceholdersAreRefused) {
 }
 
 TEST(Options, AUsageErrorUnderJsonIsADocument) {
-  for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"convert", kTumvi, "--to", "nothing", "--json"}, {"convert", "--json"}, {"shwo", "--json"}}) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"convert", kTumvi, "--to", "nothing", "--json"},
+                                                {"convert", "--json"},
+                                                {"convert", "--no-verify=1", "--json"},
+                                                {"convert", "--no-such-option", "--json"},
+                                                {"--json"},
+                                                {"shwo", "--json"}}) {
     const RunResult run = run_program(words);
     EXPECT_EQ(run.code, 3);
     rapidjson::Document document;
@@ -51,6 +55,18 @@ TEST(Options, AUsageErrorUnderJsonIsADocument) {
     ASSERT_FALSE(document.HasParseError()) << run.out;
     EXPECT_EQ(document["exit_code"].GetInt(), 3);
     EXPECT_EQ(document["diagnostics"].Size(), 1U);
+  }
+}
+
+// A file, a value of another option, and a flag that is not set.
+TEST(Options, AWordThatIsNoFlagPromisesNoDocument) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"show", "--", "--json"},
+                                                {"show", "--from", "--json"},
+                                                {"show", "--json=false", "no-such-file.yaml"},
+                                                {"shwo", "--", "--json"}}) {
+    const RunResult run = run_program(words);
+    EXPECT_NE(run.code, 0);
+    EXPECT_EQ(run.out, "");
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "options/application.h"
+#include "options/check.h"
 #include "shell/console.h"
 
 #include <fca/code.h>
@@ -12,19 +13,6 @@
 #include <vector>
 
 namespace fca::cli {
-
-struct CheckArguments {
-  CheckRequest request;
-  std::vector<std::string> files;
-  const CodeInfo* explain = nullptr;
-  bool list_codes = false;
-  bool fail_on_warnings = false;
-  bool fix = false;
-  bool write = false;
-  bool json = false;
-  bool sarif = false;
-  bool verbose = false;
-};
 
 /// Everything that was checked.
 struct CheckedFiles {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "options/application.h"
+#include "options/compare.h"
 #include "shell/console.h"
 
 #include <fca/toolkit/compare.h>
@@ -10,15 +11,6 @@
 #include <vector>
 
 namespace fca::cli {
-
-struct CompareArguments {
-  CompareRequest request;
-  std::string reference;
-  std::string page;  ///< --report
-  bool force = false;
-  bool json = false;
-  bool verbose = false;
-};
 
 void add_compare_command(Application& application);
 

@@ -2,13 +2,8 @@
 #include "convert_command.h"
 
 #include "batch.h"
-#include "options/inputs.h"
-#include "options/limits.h"
-#include "options/output.h"
 #include "options/target.h"
-#include "options/words.h"
 #include "shell/calibration_files.h"
-#include "shell/output_name.h"
 #include "shell/words.h"
 #include "shell/written_outputs.h"
 
@@ -18,7 +13,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 
 namespace fca::cli {
 
@@ -26,29 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<std::string> usage_error(const ConvertArguments& arguments, const std::vector<FoundFile>& files) {
-  const ConvertRequest& request = arguments.request;
-  if (const std::optional<std::string> error = problem_with(request.inputs)) return error;
-  if (arguments.in_place && request.into.empty()) {
-    const std::string input = shell_word(arguments.inputs.front());
-    return "--in-place is for --into BASE; to change the input itself: fca-io convert " + input + " --into " + input +
-           " --in-place";
-  }
-  if (request.into.empty() && request.to == nullptr) return "--to FORMAT is missing: " + format_names();
-  if (const std::optional<std::string> error = problem_with(request)) return error;
-  if (arguments.in_place && arguments.output.is_said()) return "--in-place writes BASE itself; leave out -o";
-  if (arguments.print && (request.to == nullptr || request.to->arguments == nullptr))
-    return "--print is for programs that take a camera on their command line: --to colmap";
-  if (arguments.print && (arguments.output.is_said() || !request.into.empty()))
-    return "--print writes no file: leave out -o and --into";
-  const bool many = !request.inputs.join && (files.size() > 1 || (files.size() == 1 && !files.front().named));
-  if (many && !request.into.empty()) return "--into wants one input, or several that are one rig (--join)";
-  constexpr std::string_view kOneRig = "; parts of one calibration go behind --with, cameras of one rig want --join";
-  if (many && arguments.output.is_said() && !arguments.output.holds_many())
-    return "several inputs need -o FOLDER/ or a pattern such as -o 'out/{stem}.{format}.yaml'" + std::string(kOneRig);
-  if (many && !arguments.output.is_said() && !arguments.json)
-    return "several inputs need -o FOLDER/ (or --json)" + std::string(kOneRig);
-  return problem_with_pattern(arguments.output);
+/// Are they more than one conversion?
+bool are_many(const ConvertArguments& arguments, const std::vector<FoundFile>& files) {
+  return !arguments.request.inputs.join && (files.size() > 1 || (files.size() == 1 && !files.front().named));
 }
 
 /// Reading anything but files, and folders of them, may wait for ever.
@@ -120,7 +94,8 @@ ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, C
     return console.refuse(ExitCode::kIo, *problem);
   const ConvertArguments arguments = into_cameras(with_parts(given, walk_rigs(given.inputs), console.streams()));
   const std::vector<FoundFile> files = walk_rigs(arguments.inputs);
-  if (const std::optional<std::string> error = usage_error(arguments, files)) return console.refuse(ExitCode::kUsage, *error);
+  if (const std::optional<std::string> error = problem_with(arguments, are_many(arguments, files)))
+    return console.refuse(ExitCode::kUsage, *error);
   const HeldInterrupt interrupt(files.size() > 1 && std::ranges::all_of(files, is_at_hand), console);
   Batch batch = convert_batch(files, arguments, typed, interrupt, console);
   std::vector<ConvertOutcome>& outcomes = batch.outcomes;
@@ -177,75 +152,12 @@ ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, C
   return code;
 }
 
-void add_options(Options& options, ConvertArguments& arguments) {
-  ConvertRequest& request = arguments.request;
-  options.positional("INPUT", "Calibration file(s), folders or patterns ('rigs/*.yaml'); '-' is standard input",
-                     arguments.inputs);
-  add_to_option(options, "The format to write", request);
-  add_model_option(
-      options, {.help = "The camera model to write", .more = " (default: kept, else the best that the stock program reads)"},
-      [&request](const std::string& word) { return take_model(word, request.model); });
-  add_output_option(
-      options,
-      "A path, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}, {format} (ends with a slash: a folder "
-      "for each; default: standard output)",
-      arguments.output);
-  add_input_options(options, request.inputs);
-  add_lens_circle_option(options, request.inputs);
-  add_join_option(options, request.inputs);
-  add_imu_option(options, request.inputs);
-  add_target_options(options, request);
-  options.flag("--in-place", "With --into: change BASE itself", arguments.in_place);
-  options.flag("--print", "Print the cameras as arguments of the program's command line (COLMAP), write no file",
-               arguments.print);
-  options.group(OptionGroup::kOutput);
-  options.exclusive_flags(
-      {{"--provenance", "Say in a comment where the file comes from even in an edited file (fresh ones say it anyway)",
-        [&request] { request.provenance = ProvenanceComment::kInAllFiles; }},
-       {"--no-provenance", "Leave out that comment", [&request] { request.provenance = ProvenanceComment::kNone; }}},
-      "--provenance and --no-provenance contradict each other");
-  options.group(OptionGroup::kProof);
-  add_max_error_option(
-      options,
-      "Fail (exit 1, nothing written) if the largest error of what was scored is more (the max of the report: "
-      "polished to where it really is, between the pixels, too), or if a part of the image (of the lens, if "
-      "--max-angle or --lens-circle says where it ends), more than a thousandth of it or what the fit had to give "
-      "up, has no pixel in the new model",
-      request.max_error_px);
-  add_strict_option(options, "Fail if a fact of the input that the target's program uses cannot be carried", request.strict);
-  options.flag_pair(
-      "--verify",
-      "Try the written bytes with our re-implementation of the program's reader before they are put in place (the default)",
-      "--no-verify", "Do not try it", request.verify);
-  add_accept_option(options, request.accepted);
-  options.group(OptionGroup::kOutput);
-  add_jobs_option(options, "Inputs, or cameras of one, worked on at the same time", request.jobs);
-  options.flag("--dry-run", "Report, write nothing", arguments.dry_run);
-  add_force_option(options, "Replace existing files; their other hard links keep the old text", arguments.force);
-  options.flag("--fsync", "Force the files to disk before they replace old ones (all of a batch at once)", arguments.fsync);
-  add_json_option(options, arguments.json);
-  add_verbose_option(options, "The full report; -vv: and the parameters, as a table", arguments.verbosity);
-  options.flag("-q,--quiet", "Errors only", arguments.quiet);
-  options.footer(
-      "Example:\n"
-      "  fca-io convert camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n"
-      "  fca-io convert camchain.yaml --to kalibr --model eucm --max-angle 97.5 -o out/\n");
-}
-
 }  // namespace
 
 void add_convert_command(Application& application) {
-  application.add("convert", "Convert a calibration to another format, and to another camera model if need be",
-                  [](Options& options) -> RunCommand {
-                    const auto arguments = std::make_shared<ConvertArguments>();
-                    add_options(options, *arguments);
-                    return [arguments](const TypedOptions& typed, Console& console) {
-                      arguments->request.in_detail = arguments->json || arguments->verbosity > 0;
-                      const std::string extension = std::filesystem::path(arguments->output.path).extension().string();
-                      if (!extension.empty()) arguments->request.extension = extension;
-                      return run_convert(*arguments, typed, console);
-                    };
-                  });
+  application.add<ConvertArguments>("convert",
+                                    "Convert a calibration to another format, and to another camera model if need be",
+                                    &add_convert_options, &run_convert);
 }
 
 }  // namespace fca::cli

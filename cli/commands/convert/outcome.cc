@@ -8,8 +8,6 @@
 
 #include <fca/code.h>
 
-#include <algorithm>
-
 namespace fca::cli {
 
 namespace {
@@ -33,31 +31,29 @@ OutputRoom room(const ConvertArguments& arguments) {
 }
 
 /// The command as it was typed, but with these cameras.
-std::string command_with_cameras(const TypedOptions& typed, const std::vector<CameraChoice>& cameras) {
+std::string command_with_cameras(const ConvertArguments& arguments, const TypedOptions& typed,
+                                 const std::vector<CameraChoice>& cameras) {
   std::string list;
   for (const CameraChoice& camera : cameras) list += (list.empty() ? "" : ",") + camera.name;
   const std::string others =
-      command_line(typed, "convert", [](const TypedOption& option) { return option.name != "--camera"; });
-  const auto names_a_place = [](const TypedOption& option) { return option.name == "--output" && option.value != "-"; };
-  const auto is_force = [](const TypedOption& option) { return option.name == "--force" || option.name == "--dry-run"; };
+      command_line(typed, "convert", [](const TypedOption& option) { return option.key != OptionKey::kCameras; });
   // What was written stands in the way of the second try.
-  const bool needs_force = std::ranges::any_of(typed, names_a_place) && std::ranges::none_of(typed, is_force);
+  const bool needs_force = !arguments.output.is_standard_output() && !arguments.force && !arguments.dry_run;
   return "fca-io " + others + " --camera " + shell_word(list) + (needs_force ? " --force" : "");
 }
 
 /// How to fix what is wrong, where that is another command.
-void add_commands(const TypedOptions& typed, ConvertOutcome& outcome) {
+void add_commands(const ConvertArguments& arguments, const TypedOptions& typed, ConvertOutcome& outcome) {
   if (outcome.better_order.empty()) return;
+  const Message remedy = {Code::kCommandInstead, {command_with_cameras(arguments, typed, outcome.better_order)}};
   Diagnostics with_commands;
   for (Diagnostic entry : outcome.diagnostics.entries()) {
-    if (entry.facts.code == Code::kSecondIsLeft)
-      entry.remedy = {Code::kCommandInstead, {command_with_cameras(typed, outcome.better_order)}};
+    if (entry.facts.code == Code::kSecondIsLeft) entry.remedy = remedy;
     with_commands.add(std::move(entry));
   }
   outcome.diagnostics = std::move(with_commands);
   for (Reason& reason : outcome.verdict.reasons) {
-    if (reason.facts.code == Code::kSecondIsLeft)
-      reason.remedy = {Code::kCommandInstead, {command_with_cameras(typed, outcome.better_order)}};
+    if (reason.facts.code == Code::kSecondIsLeft) reason.remedy = remedy;
   }
 }
 
@@ -102,7 +98,7 @@ ConvertOutcome convert_input(const std::string& input, const ConvertArguments& a
   name_as_written(outcome);
   outcome.input = input;
   keep_images(request.inputs, outcome);
-  add_commands(typed, outcome);
+  add_commands(arguments, typed, outcome);
   outcome.code = exit_code(outcome.status);
   return outcome;
 }

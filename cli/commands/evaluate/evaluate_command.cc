@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate_command.h"
-#include "options/output.h"
 
-#include <memory>
+#include "options/evaluate.h"
 
 namespace fca::cli {
 
 namespace {
-
-struct EvaluateArguments {
-  std::string image;  ///< A path; empty: tables without images.
-  bool json = false;
-};
 
 ExitCode run_evaluation(const EvaluateArguments& arguments, Console& console) {
   Diagnostics diagnostics;
@@ -29,30 +23,12 @@ ExitCode run_evaluation(const EvaluateArguments& arguments, Console& console) {
   return ExitCode::kGood;
 }
 
-void add_options(Options& options, EvaluateArguments& arguments) {
-  options.value("--image", "IMAGE",
-                "An image of 752 x 480 px: recovered by every row's conversion and compared with itself, PSNR and SSIM",
-                arguments.image);
-  add_json_option(options, arguments.json);
-  options.footer(
-      "The cameras are the paper's. Its figures stand beside ours, and why they differ. The paper's images are not ours:\n"
-      "--image takes any; examples/cpp/render_image.cc makes one.\n\n"
-      "Example:\n"
-      "  fca-io evaluate\n"
-      "  fca-io evaluate --json > tables.json\n"
-      "  fca-io evaluate --image seen.pgm\n");
-}
-
 }  // namespace
 
 void add_evaluate_command(Application& application) {
-  application.add("evaluate",
-                  "Tables 1-3 of Lee, Fisheye-Calib-Adapter (2024), recomputed on its cameras and evaluated at every pixel",
-                  [](Options& options) -> RunCommand {
-                    const auto arguments = std::make_shared<EvaluateArguments>();
-                    add_options(options, *arguments);
-                    return [arguments](const TypedOptions&, Console& console) { return run_evaluation(*arguments, console); };
-                  });
+  application.add<EvaluateArguments>(
+      "evaluate", "Tables 1-3 of Lee, Fisheye-Calib-Adapter (2024), recomputed on its cameras and evaluated at every pixel",
+      &add_evaluate_options, &run_evaluation);
 }
 
 }  // namespace fca::cli

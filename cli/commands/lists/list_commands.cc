@@ -2,8 +2,7 @@
 #include "list_commands.h"
 
 #include "ledger_text.h"
-#include "options/inputs.h"
-#include "options/output.h"
+#include "options/lists.h"
 #include "shell/json.h"
 #include "shell/model_words.h"
 #include "shell/option_hints.h"
@@ -18,19 +17,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <memory>
 
 namespace fca::cli {
 
 namespace {
-
-struct ListArguments {
-  Inputs inputs;  ///< `models FILE`
-  std::string file;
-  bool json = false;
-  bool markdown = false;
-  bool ledger = false;
-};
 
 std::vector<std::string> model_names(const Format& format, bool stock) {
   std::vector<std::string> names;
@@ -257,12 +247,11 @@ std::string candidates_text(const Camera& camera, const std::vector<Candidate>& 
 
 /// `models FILE`: every model its cameras could be written as.
 ExitCode compare_file(const ListArguments& arguments, Console& console) {
-  if (const std::optional<std::string> error = problem_with(arguments.inputs)) return console.refuse(ExitCode::kUsage, *error);
   const ModelsResult result = compare_models(arguments.inputs, console.files());
   if (result.status != Status::kDone) return console.refuse(exit_code(result.status), result.diagnostics);
   console.show(result.diagnostics);
   if (arguments.json) {
-    console.out(candidates_json(arguments.file, result.cameras));
+    console.out(candidates_json(arguments.inputs.files.front(), result.cameras));
     return ExitCode::kGood;
   }
   for (const auto& [camera, candidates] : result.cameras) console.say(candidates_text(camera, candidates));
@@ -292,52 +281,19 @@ ExitCode list_programs(const ListArguments& arguments, Console& console) {
   return ExitCode::kGood;
 }
 
-void add_formats_options(Options& options, ListArguments& arguments) {
-  add_json_option(options, arguments.json);
-  options.flag("--markdown", "The table of the README", arguments.markdown);
-  options.flag("--ledger", "For every pair of formats: what is exact, fitted, dropped and defaulted", arguments.ledger);
-  options.footer("Example:\n  fca-io formats\n  fca-io formats --ledger\n");
-}
-
-void add_models_options(Options& options, ListArguments& arguments) {
-  options.positional("FILE", "Calibration file", arguments.file, false);
-  add_input_options(options, arguments.inputs);
-  options.group(OptionGroup::kOutput);
-  add_json_option(options, arguments.json);
-  options.footer("Example:\n  fca-io models camchain.yaml --max-angle 97.5\n");
-}
-
-void add_programs_options(Options& options, ListArguments& arguments) {
-  add_json_option(options, arguments.json);
-  options.footer("Example:\n  fca-io programs\n");
-}
-
-ExitCode run_models(ListArguments& arguments, Console& console) {
-  if (arguments.file.empty()) return list_models(arguments, console);
-  arguments.inputs.files = {arguments.file};
-  return compare_file(arguments, console);
+ExitCode run_models(const ListArguments& arguments, Console& console) {
+  return arguments.inputs.files.empty() ? list_models(arguments, console) : compare_file(arguments, console);
 }
 
 }  // namespace
 
 void add_list_commands(Application& application) {
-  application.add("formats", "The formats, and which camera models each can hold", [](Options& options) -> RunCommand {
-    const auto arguments = std::make_shared<ListArguments>();
-    add_formats_options(options, *arguments);
-    return [arguments](const TypedOptions&, Console& console) { return list_formats(*arguments, console); };
-  });
-  application.add("models", "The camera models; with a FILE, how well each would describe its cameras",
-                  [](Options& options) -> RunCommand {
-                    const auto arguments = std::make_shared<ListArguments>();
-                    add_models_options(options, *arguments);
-                    return [arguments](const TypedOptions&, Console& console) { return run_models(*arguments, console); };
-                  });
-  application.add("programs", "The programs whose readers fca-io imitates to prove what it writes",
-                  [](Options& options) -> RunCommand {
-                    const auto arguments = std::make_shared<ListArguments>();
-                    add_programs_options(options, *arguments);
-                    return [arguments](const TypedOptions&, Console& console) { return list_programs(*arguments, console); };
-                  });
+  application.add<ListArguments>("formats", "The formats, and which camera models each can hold", &add_formats_options,
+                                 &list_formats);
+  application.add<ListArguments>("models", "The camera models; with a FILE, how well each would describe its cameras",
+                                 &add_models_options, &run_models);
+  application.add<ListArguments>("programs", "The programs whose readers fca-io imitates to prove what it writes",
+                                 &add_programs_options, &list_programs);
 }
 
 }  // namespace fca::cli

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "project_command.h"
 
-#include "options/inputs.h"
-#include "options/output.h"
+#include "options/points.h"
 #include "shell/json.h"
 #include "shell/option_hints.h"
 #include "shell/words.h"
@@ -16,18 +15,11 @@
 #include <functional>
 #include <istream>
 #include <limits>
-#include <memory>
 #include <numbers>
 
 namespace fca::cli {
 
 namespace {
-
-struct ProjectArguments {
-  Inputs inputs;
-  std::string file;
-  bool json = false;
-};
 
 /// 17 significant digits, as scripts compare them.
 std::string digits17(double value) {
@@ -99,9 +91,6 @@ ExitCode map_lines(const Mapping<In, Out>& mapping, bool as_json, Console& conso
 }
 
 ExitCode run_mapping(const ProjectArguments& arguments, bool forwards, Console& console) {
-  if (const std::optional<std::string> error = problem_with(arguments.inputs)) return console.refuse(ExitCode::kUsage, *error);
-  if (arguments.file == "-")
-    return console.refuse(ExitCode::kUsage, "standard input holds the points, so the calibration must be a file");
   Diagnostics diagnostics;
   const std::optional<Calibration> calibration = read_calibration(arguments.inputs, console.files(), diagnostics);
   if (!calibration) return console.refuse(worse(exit_code(status_of(diagnostics)), ExitCode::kBadInput), diagnostics);
@@ -144,26 +133,18 @@ constexpr std::array kDirections = {
               "Pixels 'u v' per line on standard input -> unit rays 'x y z'; 'nan nan nan' where the model has no answer",
               "Example:\n  echo '320 240' | fca-io unproject camchain.yaml --camera cam0\n", false}};
 
-void add_options(Options& options, const Direction& direction, ProjectArguments& arguments) {
-  options.positional("FILE", "Calibration file", arguments.file);
-  add_input_options(options, arguments.inputs);
-  options.group(OptionGroup::kOutput);
-  add_json_option(options, arguments.json);
-  options.footer(direction.footer);
-}
-
 }  // namespace
 
 void add_project_commands(Application& application) {
   for (const Direction& direction : kDirections) {
-    application.add(direction.name, direction.what, [&direction](Options& options) -> RunCommand {
-      const auto arguments = std::make_shared<ProjectArguments>();
-      add_options(options, direction, *arguments);
-      return [arguments, &direction](const TypedOptions&, Console& console) {
-        arguments->inputs.files = {arguments->file};
-        return run_mapping(*arguments, direction.forwards, console);
-      };
-    });
+    application.add<ProjectArguments>(
+        direction.name, direction.what,
+        [&direction](Options& options, ProjectArguments& arguments) {
+          add_project_options(options, direction.footer, arguments);
+        },
+        [&direction](const ProjectArguments& arguments, Console& console) {
+          return run_mapping(arguments, direction.forwards, console);
+        });
   }
 }
 

@@ -3,10 +3,6 @@
 
 #include "commands/convert/batch.h"
 #include "npy.h"
-#include "options/inputs.h"
-#include "options/output.h"
-#include "options/target.h"
-#include "options/words.h"
 #include "pictures/image_formats.h"
 #include "pictures/pictures.h"
 #include "remap_images.h"
@@ -20,56 +16,10 @@
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <memory>
 
 namespace fca::cli {
 
 namespace {
-
-/// "yaw,pitch,roll" in degrees.
-std::optional<std::string> take_turn(const std::string& word, std::optional<Turn>& target) {
-  const std::vector<std::string> words = split(word);
-  std::array<double, 3> angles{};
-  bool good = words.size() == angles.size();
-  for (std::size_t i = 0; good && i < angles.size(); ++i) {
-    constexpr double kFullTurn = 360.0;
-    const std::optional<double> angle = text::parse_real(words[i]);
-    good = angle && std::abs(*angle) <= kFullTurn;
-    if (good) angles.at(i) = *angle / kDegreesPerRadian;
-  }
-  if (!good) return "--rotate wants YAW,PITCH,ROLL in degrees, each from -360 to 360, such as 30,0,0; got '" + word + "'";
-  target = Turn{angles[0], angles[1], angles[2]};
-  return std::nullopt;
-}
-
-/// Takes one of the views, of which one may be given. (The others are told of in usage_error().)
-template <class View>
-std::optional<std::string> take_view(View view, RemapArguments& arguments) {
-  arguments.request.view = std::move(view);
-  ++arguments.views;
-  return std::nullopt;
-}
-
-std::optional<std::string> usage_error(const RemapArguments& arguments) {
-  const RemapRequest& request = arguments.request;
-  if (const std::optional<std::string> error = problem_with(request.inputs)) return error;
-  if (arguments.views > 1)
-    return "--model, --like, --pinhole and --equirectangular each say what the image is to look like; give one of them";
-  if (arguments.views == 0 && !request.turn) {
-    return "say what the image is to look like: --pinhole FULL_FOV_DEG, --equirectangular, --model MODEL, --like FILE or "
-           "--rotate YAW,PITCH,ROLL";
-  }
-  const bool has_own_size =
-      std::holds_alternative<PinholeView>(request.view) || std::holds_alternative<EquirectangularView>(request.view);
-  if (arguments.view_size && !has_own_size) return "--out-size is for --pinhole and --equirectangular";
-  const std::string mask_extension = std::filesystem::path(arguments.mask).extension().string();
-  if (!arguments.mask.empty() && mask_extension != ".png") return "--mask wants a .png file";
-  if (!arguments.map.empty() && !arguments.map.ends_with(".npy")) return "--map wants a .npy file, which NumPy reads";
-  return std::nullopt;
-}
 
 struct Remapping {
   RemapResult result;
@@ -125,7 +75,7 @@ std::string images_text(const RemapArguments& arguments, const Remapping& done) 
   for (const RemappedImage& image : done.images) {
     if (!is_written(image)) continue;
     ++written;
-    if (image.output != "-" && is_told_in_full(done.images.size()))
+    if (!arguments.output.is_standard_output() && is_told_in_full(done.images.size()))
       text += "wrote " + fca::text::printable(image.output) + "\n";
   }
   const bool interrupted = std::ranges::any_of(done.images, &RemappedImage::left);
@@ -140,7 +90,7 @@ std::string json_of(const RemapArguments& arguments, const Remapping& done, Exit
   Json json;
   json.object([&] {
     json.put("fca_io", FCA_VERSION);
-    json.put("file", arguments.file);
+    json.put("file", arguments.request.inputs.files.front());
     json.put("camera", done.result.source.name);
     json.put("exit_code", static_cast<int>(code));
     json.object("view", [&] {
@@ -184,7 +134,6 @@ ExitCode tell(const RemapArguments& arguments, const Remapping& done, const Cons
 }
 
 ExitCode run_remap(const RemapArguments& arguments, Console& console) {
-  if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
   if (const std::optional<std::string> problem = problem_with_patterns(arguments.images))
     return console.refuse(ExitCode::kIo, *problem);
   const std::vector<FoundFile> images =
@@ -206,84 +155,12 @@ ExitCode run_remap(const RemapArguments& arguments, Console& console) {
   return tell(arguments, done, console);
 }
 
-void add_options(Options& options, RemapArguments& arguments) {
-  RemapRequest& request = arguments.request;
-  options.positional("FILE", "Calibration file of the camera that took the images", arguments.file);
-  options.positional("IMAGE", "Images of the calibrated size, folders of them or patterns ('left/*.png')", arguments.images,
-                     false);
-  add_output_option(
-      options, "An image file, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}; the ending says the format",
-      arguments.output);
-  options.group(OptionGroup::kTarget);
-  options.number("--pinhole", "FULL_FOV_DEG",
-                 "As a pinhole camera: straight lines are straight. Full field of view across the width, in degrees",
-                 [&arguments](double degrees) -> std::optional<std::string> {
-                   if (!(degrees > 0.0 && degrees < 180.0))
-                     return "--pinhole wants the full field of view in degrees, more than 0 and less than 180";
-                   return take_view(PinholeView{degrees / kDegreesPerRadian}, arguments);
-                 });
-  options.flag("--equirectangular",
-               "All directions in one image: columns are longitudes, rows latitudes, the axis is in the middle",
-               arguments.equirectangular);
-  options.value("--out-size", "WxH",
-                "Size of the image (default of --pinhole: the input's; of --equirectangular: 2 : 1, as fine as the middle of "
-                "the input)",
-                [&arguments](const std::string& word) { return take_size("--out-size", word, arguments.view_size); });
-  add_model_option(options, {.help = "As this camera model, fitted as convert does it"},
-                   [&arguments](const std::string& word) -> std::optional<std::string> {
-                     AsModel view;
-                     if (std::optional<std::string> problem = take_model(word, view.model)) return problem;
-                     return take_view(view, arguments);
-                   });
-  options.value("--like", "FILE", "As the camera of this calibration file: its only one, or that of the same name",
-                [&arguments](const std::string& word) { return take_view(CameraOfFile{word}, arguments); });
-  options.value("--rotate", "YAW,PITCH,ROLL",
-                "Turn the camera, in degrees: first yaw (about y: positive to the right), then pitch (about its x: positive "
-                "up), then roll (about its z: positive clockwise)",
-                [&request](const std::string& word) { return take_turn(word, request.turn); });
-  options.value("--interpolation", "KIND", "bilinear (default) or lanczos, as OpenCV does them",
-                [&arguments](const std::string& word) -> std::optional<std::string> {
-                  if (word != "bilinear" && word != "lanczos")
-                    return "unknown interpolation '" + word + "'; there are bilinear and lanczos";
-                  arguments.interpolation = word == "lanczos" ? Interpolation::kLanczos : Interpolation::kBilinear;
-                  return std::nullopt;
-                });
-  options.group(OptionGroup::kOutput);
-  options.value("--mask", "PNG", "Also write an image that is 255 where the source sees, and 0 elsewhere", arguments.mask);
-  options.value("--map", "NPY",
-                "Also write the map: float32 of shape (height, width, 2), u and v in the source image, nan where it has "
-                "none; for numpy.load and cv2.remap",
-                arguments.map);
-  add_input_options(options, request.inputs);
-  add_lens_circle_option(options, request.inputs);
-  options.group(OptionGroup::kOutput);
-  add_jobs_option(options, "Images at the same time", request.jobs);
-  add_force_option(options, "Overwrite existing files", arguments.force);
-  add_json_option(options, arguments.json);
-  options.footer(
-      "Axes: x right, y down, z forward; R = Ry(yaw) Rx(pitch) Rz(roll), right-handed, takes the new camera's rays to the old\n"
-      "one's. Grey, colour, 16 bits and opacity stay as they are. What the source does not see becomes 0.\n\n"
-      "Example:\n"
-      "  fca-io remap camera.yaml image.png --pinhole 100 -o undistorted.png\n"
-      "  fca-io remap camera.yaml 'left/*.png' --pinhole 90 --rotate 45,0,0 -o right/\n"
-      "  fca-io remap camchain.yaml --camera cam0 --model ds --map map.npy --mask m.png\n");
-}
-
 }  // namespace
 
 void add_remap_command(Application& application) {
-  application.add("remap", "Images as another camera would have taken them: undistorted, as another model, turned",
-                  [](Options& options) -> RunCommand {
-                    const auto arguments = std::make_shared<RemapArguments>();
-                    add_options(options, *arguments);
-                    return [arguments](const TypedOptions&, Console& console) {
-                      arguments->request.inputs.files = {arguments->file};
-                      if (auto* pinhole = std::get_if<PinholeView>(&arguments->request.view))
-                        pinhole->size = arguments->view_size;
-                      if (arguments->equirectangular) take_view(EquirectangularView{arguments->view_size}, *arguments);
-                      return run_remap(*arguments, console);
-                    };
-                  });
+  application.add<RemapArguments>("remap",
+                                  "Images as another camera would have taken them: undistorted, as another model, turned",
+                                  &add_remap_options, &run_remap);
 }
 
 }  // namespace fca::cli

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 4> kOfImages = {"{stem}", "{extension}", "{folder}", "{camera}"};
 
-/// "-": standard output.
+/// Of standard output its name, for messages.
 std::string output_path(const OutputPlace& place, const std::string& input, const std::string& camera) {
   switch (place.kind) {
     case OutputPlace::Kind::kPattern:
@@ -45,7 +45,7 @@ std::string output_path(const OutputPlace& place, const std::string& input, cons
 
 /// Whose ending says the format: the output's, or the input's where that has none (standard output, a device).
 std::string extension_for(const std::string& output, const std::string& input) {
-  const std::string extension = output == "-" ? "" : fs::path(output).extension().string();
+  const std::string extension = fs::path(output).extension().string();
   return extension.empty() ? fs::path(input).extension().string() : extension;
 }
 
@@ -67,7 +67,7 @@ void remap_image(const RemapArguments& arguments, const Camera& source, const Im
   const std::optional<Image> seen = cli::remapped(*image, map, arguments.interpolation);
   const std::optional<std::string> bytes = seen ? encoded(*seen, extension) : std::nullopt;
   if (!bytes) return refuse(ExitCode::kBadInput, {Code::kImageNotMapped, {extension}});
-  if (result.output == "-") {
+  if (arguments.output.is_standard_output()) {
     console.out(*bytes);
     return;
   }
@@ -91,7 +91,7 @@ std::optional<std::string> problem_with_output(const RemapArguments& arguments, 
   if (many && !arguments.output.holds_many()) return "several images need -o FOLDER/ or a pattern such as -o 'out/{stem}.png'";
   if (arguments.json && arguments.output.kind == OutputPlace::Kind::kStandardOutput)
     return "with --json the image needs a file: -o PATH";
-  std::vector<std::string> files = {arguments.file};
+  std::vector<std::string> files = arguments.request.inputs.files;
   for (const FoundFile& image : images) files.push_back(image.path);
   KeptInputs inputs(arguments.request.inputs);
   inputs.add(files);

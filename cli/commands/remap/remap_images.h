@@ -19,7 +19,7 @@ namespace fca::cli {
 /// What became of an image.
 struct RemappedImage {
   std::string input;
-  std::string output;  ///< Its path; "-": standard output.
+  std::string output;  ///< Its path.
   Diagnostics diagnostics;
   ExitCode code = ExitCode::kGood;
   bool left = false;  ///< Not begun: Ctrl-C came before.

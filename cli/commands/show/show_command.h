@@ -2,6 +2,7 @@
 #pragma once
 
 #include "options/application.h"
+#include "options/show.h"
 #include "shell/console.h"
 
 #include <fca/toolkit/read.h>
@@ -10,11 +11,6 @@
 #include <vector>
 
 namespace fca::cli {
-
-struct ShowArguments {
-  ReadRequest request;  ///< Its files: as typed.
-  bool json = false;
-};
 
 /// What one file means.
 struct ShownFile : Reading {
