@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the README shows is what the program prints: every block that begins with "$ fca-io" is run beside the files of
+// What the documents show is what the program prints: every block that begins with "$ fca-io" is run beside the files of
 // examples/. A line "..." stands for any number of lines. Numbers may differ in their last digits, from machine to machine.
 #include "cli/run_program.h"
 
@@ -81,7 +81,25 @@ std::string missing_from(const std::vector<std::string>& printed, const std::vec
   return "";
 }
 
-TEST(Readme, ShowsWhatTheProgramPrints) {
+/// Each with the number of its examples, at least.
+struct Document {
+  const char* path;
+  std::size_t examples;
+};
+
+class Documents : public testing::TestWithParam<Document> {};
+
+INSTANTIATE_TEST_SUITE_P(All, Documents,
+                         testing::Values(Document{"README.md", 5}, Document{"cli/README.md", 30},
+                                         Document{"lib/convert/paper.md", 1}),
+                         [](const auto& document) {
+                           std::string name = document.param.path;
+                           std::ranges::replace_if(
+                               name, [](char c) { return c == '/' || c == '.'; }, '_');
+                           return name;
+                         });
+
+TEST_P(Documents, ShowWhatTheProgramPrints) {
   const fs::path root = fs::path(FCA_EXAMPLES_DIR).parent_path();
   const TemporaryFolder folder;
   for (const fs::path& from : {fs::path(FCA_EXAMPLES_DIR) / "tumvi", fs::path(FCA_EXAMPLES_DIR)}) {
@@ -89,8 +107,8 @@ TEST(Readme, ShowsWhatTheProgramPrints) {
       if (entry.is_regular_file() && entry.path().extension() != "") fs::copy(entry.path(), folder.path());
     }
   }
-  const std::vector<Example> examples = examples_in(read_file(root / "README.md"));
-  EXPECT_GE(examples.size(), 5U);
+  const std::vector<Example> examples = examples_in(read_file(root / GetParam().path));
+  EXPECT_GE(examples.size(), GetParam().examples);
   for (const Example& example : examples) {
     SCOPED_TRACE(example.command);
     std::vector<std::string> words = words_of(example.command.substr(0, example.command.find(" #")));
@@ -104,12 +122,42 @@ TEST(Readme, ShowsWhatTheProgramPrints) {
 }
 
 // The tables of formats are printed from the registry.
-TEST(Readme, HasTheTablesOfTheRegistry) {
-  const std::string readme = read_file(fs::path(FCA_EXAMPLES_DIR).parent_path() / "README.md");
-  for (const char* table : {"--markdown", "--ledger"}) {
+TEST(Documents, HaveTheTablesOfTheRegistry) {
+  const fs::path root = fs::path(FCA_EXAMPLES_DIR).parent_path();
+  for (const auto& [path, table] : {std::pair("README.md", "--markdown"), {"formats/README.md", "--ledger"}}) {
     const RunResult run = run_program({"formats", table});
-    EXPECT_TRUE(contains(readme, run.out)) << "fca-io formats " << table << " prints\n" << run.out;
+    EXPECT_TRUE(contains(read_file(root / path), run.out)) << "fca-io formats " << table << " prints\n" << run.out;
   }
+}
+
+/// The targets of links, "[text](target)", that are no addresses.
+std::vector<std::string> links_in(const std::string& text) {
+  std::vector<std::string> links;
+  for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
+    std::string link = text.substr(at + 2, text.find(')', at) - at - 2);
+    if (link.find("://") == std::string::npos && !link.starts_with('#')) links.push_back(link.substr(0, link.find('#')));
+  }
+  return links;
+}
+
+// Documents stand beside what they describe, and lead to each other.
+TEST(Documents, LeadToFilesThatAreThere) {
+  const fs::path root = fs::path(FCA_EXAMPLES_DIR).parent_path();
+  std::size_t links = 0;
+  for (const char* path : {"README.md", "CONTRIBUTING.md", "CHANGELOG.md", "cli/README.md", "cli/python/README.md",
+                           "examples/cpp/README.md", "formats/README.md", "formats/verdicts.md", "lib/convert/paper.md"}) {
+    for (const std::string& link : links_in(read_file(root / path))) {
+      ++links;
+      EXPECT_TRUE(fs::exists((root / path).parent_path() / link)) << path << " leads to " << link;
+    }
+  }
+  EXPECT_GT(links, 8U);
+}
+
+TEST(Documents, AreShortWhereReadersBegin) {
+  const fs::path root = fs::path(FCA_EXAMPLES_DIR).parent_path();
+  EXPECT_LE(lines_of(read_file(root / "README.md")).size(), 150U);
+  EXPECT_LE(fs::file_size(root / "examples/tumvi/page.png"), 150'000U);
 }
 
 }  // namespace

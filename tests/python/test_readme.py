@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""README's example in Python runs beside the files that it names."""
+"""The example of cli/python/README.md runs beside the files that it names."""
 import os
 import pathlib
 import re
@@ -11,7 +11,7 @@ EXAMPLES = pathlib.Path(os.environ["FCA_EXAMPLES"])
 
 
 def test_the_example_runs(tmp_path, monkeypatch):
-    [code] = re.findall(r"```python\n(import fca_io.*?)```", (EXAMPLES.parent / "README.md").read_text(), re.DOTALL)
+    [code] = re.findall(r"```python\n(import fca_io.*?)```", (EXAMPLES.parent / "cli/python/README.md").read_text(), re.DOTALL)
     shutil.copytree(EXAMPLES / "tumvi", tmp_path / "tumvi")
     monkeypatch.chdir(tmp_path / "tumvi")
     names = {}
