@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "application.h"
 
+#include "completion.h"
 #include "help_text.h"
+#include "manual.h"
 #include "output.h"
 #include "words.h"
 
@@ -9,6 +11,7 @@
 #include <fca/toolkit/files.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -23,12 +26,36 @@ struct Application::Parser {
       "and camera models, and proves that the program that reads the result understands it as meant."};
   RunCommand chosen;
   std::optional<Options> options;  ///< Of the subcommand that was chosen.
+  std::map<std::string, std::function<RunCommand(Options& options)>> definitions;
 
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> result;
     for (const CLI::App* subcommand : app.get_subcommands([](const CLI::App*) { return true; }))
       result.push_back(subcommand->get_name());
     return result;
+  }
+
+  /// The subcommand of that name, with its options; null: there is none.
+  CLI::App* defined(const std::string& name) {
+    const auto found = definitions.find(name);
+    if (found == definitions.end()) return nullptr;
+    CLI::App* const subcommand = app.get_subcommand(name);
+    found->second(options.emplace(*subcommand));
+    return subcommand;
+  }
+
+  /// What shells and the build ask for: `complete WORD...` says what may stand in place of the last word, one a line, then
+  /// ":files" where that may be a path; `manual [COMMAND]` is a manual page.
+  std::optional<std::string> answer(std::span<const std::string> words) {
+    if (words.empty()) return std::nullopt;
+    const std::span<const std::string> further = words.subspan(1);
+    CLI::App* const command = further.empty() ? nullptr : defined(further.front());
+    if (words.front() == "manual") return manual_page(app, command);
+    if (words.front() != "complete") return std::nullopt;
+    const Completion completion = completion_of(app, command, further);
+    std::string text;
+    for (const std::string& word : completion.words) text += word + "\n";
+    return text + (completion.files ? ":files\n" : "");
   }
 
   /// Is the command's document promised? `rest`: what parsing has left.
@@ -57,6 +84,7 @@ Application::~Application() = default;
 void Application::add(const std::string& name, const std::string& description,
                       std::function<RunCommand(Options& options)> define) {
   CLI::App* const subcommand = parser_->app.add_subcommand(name, description);
+  parser_->definitions[name] = define;
   subcommand->preparse_callback([subcommand, parser = parser_.get(), define = std::move(define)](std::size_t /*words*/) {
     parser->options.emplace(*subcommand);
     parser->chosen = define(*parser->options);
@@ -137,6 +165,10 @@ bool Application::Parser::promises_json(const std::vector<std::string>& rest) co
 }
 
 ExitCode Application::run(std::span<const std::string> given, Console& console) {
+  if (const std::optional<std::string> answer = parser_->answer(given)) {
+    console.out(*answer);
+    return ExitCode::kGood;
+  }
   std::vector<std::string> words(given.begin(), given.end());
   replace_aliases(words);
   const std::vector<std::string> names = parser_->names();

@@ -17,16 +17,6 @@ namespace {
 
 constexpr std::size_t kNames = 24;  ///< Columns of an option's name; its explanation stands to the right.
 
-struct GroupTitle {
-  OptionGroup group;
-  std::string_view title;
-};
-
-constexpr std::array kTitles = {
-    GroupTitle{OptionGroup::kTarget, "What to write"}, GroupTitle{OptionGroup::kReading, "How to read the input"},
-    GroupTitle{OptionGroup::kLens, "What counts as lens"}, GroupTitle{OptionGroup::kProof, "Proof and limits"},
-    GroupTitle{OptionGroup::kOutput, "Output"}};
-
 /// A name and its explanation.
 std::string entry(const std::string& name, const std::string& explanation, std::size_t indent) {
   std::string line = "  " + name;
@@ -63,7 +53,7 @@ class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode /*mode*/) const override {
     std::string text = paragraphs(app->get_description()) + make_usage(app, std::move(name)) + positionals(*app);
-    for (const GroupTitle& row : kTitles) text += group(*app, row);
+    for (const OptionGroup each : kOptionGroups) text += group(*app, title_of(each));
     text += commands(*app);
     return app->get_footer().empty() ? text : text + "\n" + paragraphs(app->get_footer());
   }
@@ -76,14 +66,14 @@ class HelpFormatter : public CLI::Formatter {
     return text.empty() ? text : "\n" + text;
   }
 
-  [[nodiscard]] static std::string group(const CLI::App& app, const GroupTitle& row) {
+  [[nodiscard]] static std::string group(const CLI::App& app, std::string_view title) {
     std::string text;
     for (const CLI::Option* option : app.get_options([](const CLI::Option* each) { return each->nonpositional(); })) {
-      if (option->get_group() != row.title) continue;
+      if (option->get_group() != title) continue;
       const std::string type = option->get_type_size() == 0 ? "" : " " + option->get_type_name();
       text += entry(option->get_name(false, true) + type, option->get_description(), kNames);
     }
-    return text.empty() ? text : "\n" + std::string(row.title) + ":\n" + text;
+    return text.empty() ? text : "\n" + std::string(title) + ":\n" + text;
   }
 
   [[nodiscard]] static std::string commands(const CLI::App& app) {
@@ -97,7 +87,21 @@ class HelpFormatter : public CLI::Formatter {
 
 }  // namespace
 
-std::string_view title_of(OptionGroup group) { return std::ranges::find(kTitles, group, &GroupTitle::group)->title; }
+std::string_view title_of(OptionGroup group) {
+  switch (group) {
+    case OptionGroup::kTarget:
+      return "What to write";
+    case OptionGroup::kReading:
+      return "How to read the input";
+    case OptionGroup::kLens:
+      return "What counts as lens";
+    case OptionGroup::kProof:
+      return "Proof and limits";
+    case OptionGroup::kOutput:
+      return "Output";
+  }
+  return "";
+}
 
 std::shared_ptr<CLI::FormatterBase> help_formatter() { return std::make_shared<HelpFormatter>(); }
 

@@ -4,6 +4,7 @@
 
 #include "options.h"
 
+#include <array>
 #include <memory>
 #include <string_view>
 
@@ -12,6 +13,10 @@ class FormatterBase;
 }
 
 namespace fca::cli {
+
+/// In the order in which they are shown.
+inline constexpr std::array kOptionGroups = {OptionGroup::kTarget, OptionGroup::kReading, OptionGroup::kLens,
+                                             OptionGroup::kProof, OptionGroup::kOutput};
 
 /// "How to read the input"
 [[nodiscard]] std::string_view title_of(OptionGroup group);

@@ -44,7 +44,7 @@ std::vector<CameraChoice> parse_cameras(const std::string& list) {
 
 std::optional<std::string> take_opencv_model(const std::string& word, std::optional<OpenCvModel>& target) {
   for (const OpenCvModel model : {OpenCvModel::kPinhole, OpenCvModel::kFisheye}) {
-    if (word == name_of(std::optional(model))) target = model;
+    if (word == name_of(model)) target = model;
   }
   return target ? std::nullopt : std::optional("--opencv-model is pinhole or fisheye, not '" + word + "'");
 }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace fca::cli {
+
+/// What may stand where the last of `words`, those behind the program's name, is being typed.
+struct Completion {
+  std::vector<std::string> words;
+  bool files = false;  ///< Also the paths of files.
+};
+
+/// `command`: the one that the first word names, with its options defined; null: none.
+[[nodiscard]] Completion completion_of(const CLI::App& app, const CLI::App* command, std::span<const std::string> words);
+
+}  // namespace fca::cli
