@@ -43,12 +43,39 @@ void warn_of_odd_camera(const Camera& camera, const ImageSize& size, Diagnostics
   constexpr double kNoSensor = 2.0;
   const auto [f_u, f_v] = central_focal_lengths(camera.model);
   if (std::max(f_u, f_v) > kNoSensor * std::min(f_u, f_v)) {
-    diagnostics.add(Code::kFocalLengthsDiffer, {camera.name, std::lround(f_u), std::lround(f_v)});
+    diagnostics.add(Code::kFocalLengthsDiffer, {camera.name, f_u, f_v});
   }
   const auto [u, v] = principal_point(camera.model);
   if (!(u >= -0.5 && u <= size.width - 0.5 && v >= -0.5 && v <= size.height - 0.5)) {
     diagnostics.add(Code::kCentreOutside, {camera.name, std::lround(u), std::lround(v), size.width, size.height});
   }
+}
+
+/// How many times as many pixels a radian has in one direction about the axis as in another; 1 where that cannot be told.
+double stretch_on_axis(const CameraModel& model) {
+  constexpr double kStep = 1e-5;
+  const auto pixels = [&model](double x, double y) -> std::optional<Pixel> {
+    const std::optional<Pixel> ahead = project(model, {x, y, 1.0});
+    const std::optional<Pixel> behind = project(model, {-x, -y, 1.0});
+    if (!ahead || !behind) return std::nullopt;
+    return Pixel{(*ahead)[0] - (*behind)[0], (*ahead)[1] - (*behind)[1]};
+  };
+  const std::optional<Pixel> x = pixels(kStep, 0.0);
+  const std::optional<Pixel> y = pixels(0.0, kStep);
+  if (!x || !y) return 1.0;
+  // The ratio of the singular values of the matrix with those columns.
+  const double squares = (*x)[0] * (*x)[0] + (*x)[1] * (*x)[1] + (*y)[0] * (*y)[0] + (*y)[1] * (*y)[1];
+  const double determinant = std::abs((*x)[0] * (*y)[1] - (*x)[1] * (*y)[0]);
+  return (squares + std::sqrt(std::max(0.0, squares * squares - 4.0 * determinant * determinant))) / (2.0 * determinant);
+}
+
+/// No fit is worth its time where the numbers are no camera's: it takes a hundred times as long, and misses by many pixels.
+bool is_worth_a_fit(const Camera& camera, Diagnostics& diagnostics) {
+  constexpr double kNoLens = 30.0;
+  const double stretch = stretch_on_axis(camera.model);
+  if (stretch <= kNoLens) return true;
+  diagnostics.add(Code::kStretchOfNoLens, {camera.name, stretch});
+  return false;
 }
 
 /// Everything the report says of a model, from what the lattice says of it.
@@ -208,7 +235,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
     conversion->report.to_model = target->id;
     return conversion;
   }
-  if (!conversion) conversion = fitted_conversion(task, diagnostics);
+  if (!conversion && is_worth_a_fit(camera, diagnostics)) conversion = fitted_conversion(task, diagnostics);
   if (!conversion) return std::nullopt;
   if (!options.max_angle_rad && !camera.lens_circle) warn_of_fold(camera, conversion->report.judgement.coverage, diagnostics);
   conversion->report.from_model = model_info(camera.model).id;
