@@ -21,6 +21,7 @@ struct Known {
 constexpr std::array kKnown = {
     Known{Code::kLooksLikeMultiCol, "Camera.nrpol", "Camera.nrinvpol"},
     Known{Code::kLooksLikeOv2Slam, "Camera.fxl", "Camera.model_left"},
+    Known{Code::kLooksLikeD2Slam, "estimation_mode", "self_id"},
     Known{Code::kLooksLikePlainLists, "camera_matrix", "distortion_coefficients"},
     Known{Code::kLooksLikePlainLists, "camera_matrix", "dist_coeff"},
     Known{Code::kLooksLikePlainLists, "camera_matrix", "dist_coeffs"},

@@ -8,6 +8,7 @@
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
 #include <fca/rig/limits.h>
+#include <fca/rig/stereo_order.h>
 #include <fca/rig/stereo_pair.h>
 
 #include <algorithm>
@@ -278,6 +279,24 @@ void add_strange_pair(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   }
 }
 
+/// A pair of planes, one camera above the other, for a program that looks for matches along rows.
+void add_vertical_pair(const VerdictFacts& facts, std::vector<Reason>& reasons) {
+  if (facts.rig == nullptr || !facts.mode.starts_with("stereo") || !facts.to->matches_along_rows) return;
+  const auto is_fisheye = [&facts](const CameraProof& camera) {  // as it is written
+    const StoredModel* stored = find_stored_model(*facts.to, "kb4", true);
+    return stored != nullptr && camera.model == stored->file_name;
+  };
+  if (facts.proofs.empty() || std::ranges::any_of(facts.proofs.front().cameras, is_fisheye)) return;
+  const std::vector<Camera>& cameras = facts.rig->cameras;
+  const std::optional<double> below = second_below_first(*facts.rig);
+  if (!below) return;
+  constexpr double kCmPerM = 100.0;
+  reasons.push_back(
+      {.word = VerdictWord::kDoNotUse,
+       .facts = {Code::kOrbslam3PairVertical,
+                 {cameras[1].name, kCmPerM * std::abs(*below), *below > 0.0 ? "below" : "above", cameras[0].name}}});
+}
+
 bool is_of_one_camera(const VerdictFacts& facts) { return facts.files.size() == 1 && facts.files.front().size() == 1; }
 
 /// The camera that a finding is about: messages name it first. Empty: none of the rig.
@@ -447,6 +466,7 @@ Verdict decide(const VerdictFacts& facts) {
   add_contradictions(facts, verdict.reasons);
   add_missing_poses(facts, verdict.reasons);
   add_strange_pair(facts, verdict.reasons);
+  add_vertical_pair(facts, verdict.reasons);
   add_findings(facts, verdict.reasons);
   add_facts(facts, verdict.reasons);
   add_clocks(facts, verdict.reasons);

@@ -47,7 +47,7 @@ std::string error_text(const Judgement& judgement, const std::optional<ImageSize
   const ErrorSummary& error = judgement.error;
   if (image && is_larger_than(judgement, *image))
     return "further apart than the image is large (" + size_in_words(*image) + " px)";
-  const bool all = judgement.coverage.unrepresentable == 0.0;
+  const bool all = judgement.coverage.unrepresentable == 0.0 && judgement.coverage.outside_lens <= kNoticeableShare;
   const bool is_in_image = !image || error.bound <= std::hypot(image->width, image->height);
   const std::string bound = std::isfinite(error.bound) && is_in_image
                                 ? "proven below " + pixels(error.bound, image) + (all ? " everywhere" : " where it was scored")

@@ -142,9 +142,10 @@ bool is_ambiguous(const Diagnostics& diagnostics) {
 }
 
 /// "84 deg across the image" of a camera under one reading of its four numbers.
-Message view_as(const text::Document& document, const CheckOptions& options, const std::string& reading, std::size_t index) {
+Message view_as(const text::Document& document, const CheckOptions& options, OpenCvModel model, std::size_t index) {
+  const std::string_view reading = name_of(model);
   CheckOptions as = options;
-  as.reading.opencv_model = reading;
+  as.reading.opencv_model = model;
   Diagnostics ignored;
   const std::optional<Calibration> calibration = read_calibration({document}, options.from, as.reading, ignored);
   if (!calibration || calibration->rig.cameras.size() <= index) return {Code::kAsLensNoCamera, {reading}};
@@ -173,7 +174,8 @@ void show_both_readings(const text::Document& document, const CheckOptions& opti
   for (Finding& finding : report.findings) {
     if (!same_id(code_of(finding), Code::kAnyAmbiguousModel)) continue;
     finding.severity = Severity::kWarning;
-    for (const char* reading : {"pinhole", "fisheye"}) finding.details.push_back(view_as(document, options, reading, camera));
+    for (const OpenCvModel model : {OpenCvModel::kPinhole, OpenCvModel::kFisheye})
+      finding.details.push_back(view_as(document, options, model, camera));
     ++camera;
   }
 }

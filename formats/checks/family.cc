@@ -20,12 +20,18 @@ constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 double value(const Camera& camera, ParameterId id) { return parameter(camera.model, id).value(); }
 
-/// Lenses are centred to a small fraction of a degree: tangential terms above this are another model's third and fourth number.
+/// Lenses are centred to a small fraction of a degree: tangential terms above this are another model's third and fourth number,
+/// where the first two may be, too, and there is no fifth; else they come from too few views.
 void check_tangential(const Subject& subject, const Camera& camera, Findings& findings) {
   constexpr double kLargest = 0.02;
+  constexpr double kLargestOfFisheye = 0.3;  // k1 and k2
+  const bool may_be_fisheye = std::abs(value(camera, "k1")) <= kLargestOfFisheye &&
+                              std::abs(value(camera, "k2")) <= kLargestOfFisheye &&
+                              parameter(camera.model, "k3").value_or(0.0) == 0.0;
+  const Code code = may_be_fisheye ? Code::kTangentialTooLarge : Code::kTangentialOfNoLens;
   for (const ParameterId id : ParameterIds{"p1", "p2"}) {
     if (std::abs(value(camera, id)) <= kLargest) continue;
-    findings.add(Code::kTangentialTooLarge, {camera.name, id.name(), value(camera, id)}, subject.places.parameter(camera, id));
+    findings.add(code, {camera.name, id.name(), value(camera, id)}, subject.places.parameter(camera, id));
     return;
   }
 }
@@ -54,7 +60,8 @@ void check_equidistant(const Subject& subject, const Camera& camera, Findings& f
 }
 
 /// Under radtan, k1 and k2 of a unified model leave out the xi that makes the pincushion of k2 a fisheye's barrel. No plain
-/// lens's second term outweighs the first and pulls the corner outwards so far.
+/// lens's second term outweighs the first and pulls the corner outwards so far. Beside an xi of 3 they are large and positive:
+/// the focal length, which has that factor too, then makes the corner's radius small.
 void check_unified(const Subject& subject, const Camera& camera, Findings& findings) {
   if (!camera.image_size) return;
   const double k1 = value(camera, "k1");
@@ -68,7 +75,11 @@ void check_unified(const Subject& subject, const Camera& camera, Findings& findi
   constexpr double kPincushion = 0.2;
   const double outwards = k1 * r2 + k2 * r2 * r2;
   const bool four_numbers = value(camera, "k3") == 0.0;
-  if (!four_numbers || std::abs(k1) > kShape || k2 * r2 < kOutweighs * std::abs(k1) || outwards < kPincushion) return;
+  const bool pulls_far = std::abs(k1) <= kShape && k2 * r2 >= kOutweighs * std::abs(k1) && outwards >= kPincushion;
+  constexpr double kFirstOfLargeXi = 0.4;  // of eleven real cameras with an xi above 3: 0.67 and more
+  constexpr double kSecondOfLargeXi = 5.0;
+  const bool of_large_xi = k1 > kFirstOfLargeXi && k2 > kSecondOfLargeXi;
+  if (!four_numbers || !(pulls_far || of_large_xi)) return;
   // Not with a focal length or a size that nobody believes.
   if (findings.has(Code::kAnyFocalLengthNotInPixels, subject.places.parameter(camera, "fx")) ||
       findings.has(Code::kAnySizeUnlikeCentre, subject.places.image_width(camera)))

@@ -69,7 +69,7 @@ void check_coverage(const Subject& subject, const Camera& camera, Findings& find
   // Polynomials of the tangent fold where they were not fitted: no such lens ends inside the largest circle about its centre.
   const std::string_view model = model_info(camera.model).id;
   const bool of_tangent = opencv_count(model) > 0;
-  const bool broken = uncovered.nearest_px < (of_tangent ? 1.0 : 0.5) * nearest_border;
+  const bool broken = uncovered.nearest_px < (of_tangent || !circle ? 1.0 : 0.5) * nearest_border;
   constexpr double kNothingToSpeakOf = 0.01;
   const bool is_less = circle || uncovered.share <= kNothingToSpeakOf;
   const Severity severity = broken ? Severity::kError : is_less ? Severity::kNote : Severity::kWarning;

@@ -25,8 +25,9 @@ void collect_scalars(const Node& node, std::vector<const Node*>& scalars) {
 
 Mend spelled(Code code, const text::Span& span, const std::string& text) { return {{code, {text}}, span, text}; }
 
-/// Other spellings of the same value.
-std::vector<Mend> spellings(const Node& scalar) {
+/// Other spellings of the same value. A number in quotes is none for a program that wants a number and refuses nothing: it
+/// would only stop looking at it.
+std::vector<Mend> spellings(const Node& scalar, bool is_refused) {
   std::vector<Mend> mends;
   const std::optional<double> number = text::parse_real(scalar.value);
   if (!scalar.quoted && number && std::isfinite(*number)) {
@@ -40,8 +41,24 @@ std::vector<Mend> spellings(const Node& scalar) {
     mends.push_back(spelled(Code::kSpellNumber, scalar.span, scalar.value));
     mends.push_back(spelled(Code::kSpellNumber, scalar.span, text::format_real(*number)));
   }
-  if (!scalar.quoted) mends.push_back(spelled(Code::kSpellQuoted, scalar.span, "\"" + scalar.value + "\""));
+  if (!scalar.quoted && (is_refused || !number))
+    mends.push_back(spelled(Code::kSpellQuoted, scalar.span, "\"" + scalar.value + "\""));
   return mends;
+}
+
+/// A flat list of a pose's 16 numbers as four rows, each where it stands.
+std::optional<Mend> in_rows(const text::Document& document, const Node& list) {
+  constexpr std::size_t kSide = 4;
+  if (list.items.size() != kSide * kSide || !std::ranges::all_of(list.items, &Node::is_scalar)) return std::nullopt;
+  const text::Span span{list.items.front().span.offset, list.items.back().span.end() - list.items.front().span.offset};
+  const std::string_view bytes = document.source().bytes;
+  std::string rows(bytes.substr(span.offset, span.length));
+  for (std::size_t i = list.items.size(); i-- > 0;) {  // from behind: what is before stays where it is
+    const text::Span& number = list.items[i].span;
+    if (i % kSide == kSide - 1) rows.insert(number.end() - span.offset, "]");
+    if (i % kSide == 0) rows.insert(number.offset - span.offset, "[");
+  }
+  return Mend{{Code::kSpellRows}, span, rows};
 }
 
 std::optional<Mend> without_mark(const text::Document& document) {
@@ -125,9 +142,11 @@ std::optional<Mend> find_mend(const text::Document& document, const consumers::C
     return !says(after.refusals, said) && !says(after.warnings, said) &&
            std::ranges::all_of(after.refusals, [&](const consumers::Complaint& each) { return says(before, each.facts); });
   };
+  if (std::optional<Mend> mend = in_rows(document, *named); mend && is_apart_from_edits(*mend, document) && helps(*mend))
+    return mend;
   constexpr std::size_t kMostTried = 32;
   for (std::size_t i = 0; i < std::min(kMostTried, scalars.size()); ++i) {
-    for (Mend& mend : spellings(*scalars[i])) {
+    for (Mend& mend : spellings(*scalars[i], says(before, said))) {
       if (is_apart_from_edits(mend, document) && helps(mend)) return std::move(mend);
     }
   }

@@ -5,6 +5,10 @@
 
 #include <fca/formats/text/read_document.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 namespace fca::checks {
 
 namespace {
@@ -15,10 +19,13 @@ std::optional<std::vector<text::Document>> with_parts(const text::Document& docu
   Findings findings(report);
   std::vector<text::Document> documents = {document};
   bool all = true;
+  std::vector<std::string> missing;
   for (const NamedFile& named : named_parts(format, document)) {
     std::optional<text::Source> source = read_part(named);
     if (!source) {
-      findings.add(Code::kNamedPartMissing, {named.path}, named.where);
+      if (std::ranges::find(missing, named.path) == missing.end())
+        findings.add(Code::kNamedPartMissing, {named.path}, named.where);
+      missing.push_back(named.path);
       all = false;
       continue;
     }

@@ -83,9 +83,9 @@ std::optional<Message> problem_with(const Camera& camera, const OpenCvCamera& le
 bool check_undistortion(const Subject& subject, Findings& findings) {
   // Numbers that are not believed for another reason are not of this lens.
   constexpr std::array kOtherReasons = {
-      Code::kAnyCentreOff,        Code::kAnyCentreOutside, Code::kAnyEucmWithoutType, Code::kAnyFocalLengthNotInPixels,
-      Code::kAnyFoldsInsideImage, Code::kAnyOctal,         Code::kAnySizeSwapped,     Code::kAnySizeUnlikeCentre,
-      Code::kAnyWrongFamily};
+      Code::kAnyCentreOff,          Code::kAnyCentreOutside, Code::kAnyEucmWithoutType, Code::kAnyFocalLengthNotInPixels,
+      Code::kAnyFoldsInsideImage,   Code::kAnyOctal,         Code::kAnySizeSwapped,     Code::kAnySizeUnlikeCentre,
+      Code::kAnyTangentialTooLarge, Code::kAnyWrongFamily};
   bool any = false;
   for (const Camera& camera : subject.rig().cameras) {
     const std::optional<OpenCvCamera> lens = as_opencv(camera.model);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Kalibr (ethz-asl/kalibr@1f60227) as a consumer: kalibr_common/ConfigReader.py for the file, aslam_cameras (kalibr_formulas.h)
 // for what it computes.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -254,8 +255,24 @@ class CameraReader {
     if (valid) {
       view_.poses.push_back(std::move(pose));
     } else {
-      refuse(Code::kKalibrSaysPoseNoRows, at(key));
+      refuse_pose(*rows, at(key));
     }
+  }
+
+  void refuse_pose(const Value& rows, const std::string& place) {
+    const auto is_number = [](const pyyaml::ValuePtr& each) { return each->is_number(); };
+    const auto is_list = [](const pyyaml::ValuePtr& each) { return each->kind == Kind::kList; };
+    const auto has_string = [](const pyyaml::ValuePtr& row) {
+      return std::ranges::any_of(row->items, [](const pyyaml::ValuePtr& each) { return each->kind == Kind::kString; });
+    };
+    if (rows.items.size() == 16 && std::ranges::all_of(rows.items, is_number)) {
+      refuse(Code::kKalibrSaysPoseFlat, place);
+      return;
+    }
+    std::vector<Message> form;
+    if (std::ranges::all_of(rows.items, is_list) && std::ranges::any_of(rows.items, has_string))
+      form = {{Code::kKalibrSaysFormOfReals}};
+    refuse(Code::kKalibrSaysPoseNoRows, place, {form});
   }
 
   const Value& block_;

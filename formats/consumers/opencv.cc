@@ -91,10 +91,6 @@ class Reader {
       : storage_(storage), options_(options), view_(view) {}
 
   void run() {
-    if (!options_.opencv_model.empty() && options_.opencv_model != "pinhole" && options_.opencv_model != "fisheye") {
-      view_.refusals.emplace_back(Code::kCvUnknownFunction, "", std::vector<Argument>{options_.opencv_model});
-      return;
-    }
     if (!node("camera_0").empty()) {
       read_mc_calib();
       return;
@@ -174,12 +170,27 @@ class Reader {
     return values_of(*D);
   }
 
-  std::optional<std::vector<double>> distortion_of(const CameraKeys& keys) {
+  /// The first of the camera's keys of coefficients that stands there; else the usual one.
+  const char* distortion_key(const CameraKeys& keys) {
     for (const char* name : keys.distortion) {
-      if (name != nullptr && !node(name).empty()) return distortion(node(name), name);
+      if (name != nullptr && !node(name).empty()) return name;
     }
-    warn(Code::kCvDistortionMissing, keys.distortion.front());
+    return keys.distortion.front();
+  }
+
+  std::optional<std::vector<double>> distortion_of(const CameraKeys& keys) {
+    const char* name = distortion_key(keys);
+    if (!node(name).empty()) return distortion(node(name), name);
+    warn(Code::kCvDistortionMissing, name);
     return std::vector<double>();
+  }
+
+  /// Nothing: the file does not say. Settings of a surround view say it by their other keys: its program calls cv::fisheye.
+  std::optional<bool> says_fisheye() {
+    const cv::FileNode flag = node("fisheye_model");
+    if (is_number(flag)) return static_cast<int>(flag) != 0;
+    if (!node("project_matrix").empty() && (!node("scale_xy").empty() || !node("shift_xy").empty())) return true;
+    return std::nullopt;
   }
 
   /// cv::FileNode's conversion of "width" and "height", or a pair; 0 where the file does not say.
@@ -197,17 +208,18 @@ class Reader {
     return {0, 0};
   }
 
-  /// Which function a program calls: the caller's word, then the file's, then the length of the vector, then pinhole.
+  /// Which function a program calls: the caller's word, then the file's, then the length of the vector, then pinhole. Of
+  /// vectors that are not of four numbers the caller has nothing to say.
   Function choose(std::size_t length, std::optional<bool> file_says_fisheye, const std::string& name) {
-    const bool told = !options_.opencv_model.empty();
+    constexpr std::size_t kAmbiguous = 4;
+    const bool told = options_.opencv_model && length == kAmbiguous;
     if (told) {
-      const bool fisheye = options_.opencv_model == "fisheye";
+      const bool fisheye = options_.opencv_model == OpenCvModel::kFisheye;
       if (file_says_fisheye && *file_says_fisheye != fisheye)
-        warn(Code::kCvToldOtherwise, name, {*file_says_fisheye ? "fisheye" : "pinhole", options_.opencv_model});
+        warn(Code::kCvToldOtherwise, name, {*file_says_fisheye ? "fisheye" : "pinhole", name_of(*options_.opencv_model)});
       return fisheye ? Function::kFisheye : Function::kPinhole;
     }
     if (file_says_fisheye) return *file_says_fisheye ? Function::kFisheye : Function::kPinhole;
-    constexpr std::size_t kAmbiguous = 4;
     if (length == kAmbiguous) warn(Code::kCvFourNumbers, name);
     return Function::kPinhole;
   }
@@ -264,15 +276,12 @@ class Reader {
         add_camera(*K, *D, Function::kOmnidir, *value, size, keys.matrix);
       return;
     }
-    const cv::FileNode fisheye = node("fisheye_model");
-    std::optional<bool> says_fisheye;
-    if (is_number(fisheye)) says_fisheye = static_cast<int>(fisheye) != 0;
-    add_camera(*K, *D, choose(D->size(), says_fisheye, keys.distortion.front()), 0.0, size, keys.matrix);
+    add_camera(*K, *D, choose(D->size(), says_fisheye(), distortion_key(keys)), 0.0, size, keys.matrix);
   }
 
   /// A number; some write the 1 x 1 matrix that cv::omnidir::calibrate returned.
   std::optional<double> mei_parameter(const cv::FileNode& xi, const std::string& name) {
-    if (!options_.opencv_model.empty()) warn(Code::kCvOmnidirMeant, name, {options_.opencv_model});
+    if (options_.opencv_model) warn(Code::kCvOmnidirMeant, name, {name_of(*options_.opencv_model)});
     if (is_number(xi)) return static_cast<double>(xi);
     if (xi.isMap()) {
       const std::optional<cv::Mat> value = matrix(xi, name);

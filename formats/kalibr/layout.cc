@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "layout.h"
 
+#include <fca/code.h>
+#include <fca/formats/text/prose.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -28,6 +31,26 @@ const Layout* layout_for(const CameraModel& model) {
   const auto& rows = layouts();
   const auto found = std::ranges::find(rows, model_info(model).id, &Layout::model);
   return found == rows.end() ? nullptr : &*found;
+}
+
+Message nearest_layout(const std::string& camera_model, const std::string& distortion_model) {
+  const std::size_t cut = camera_model.find_first_of("/-");
+  const std::string distortion = cut == std::string::npos ? distortion_model : camera_model.substr(cut + 1);
+  const auto names = [](auto name_of, std::string_view camera) {
+    std::vector<std::string> result;
+    for (const Layout& layout : layouts()) {
+      if (!camera.empty() && layout.camera_model != camera) continue;
+      if (std::ranges::find(result, name_of(layout)) == result.end()) result.emplace_back(name_of(layout));
+    }
+    return result;
+  };
+  const std::vector<std::string> cameras =
+      text::nearest(camera_model.substr(0, cut), names([](const Layout& each) { return each.camera_model; }, {}));
+  if (cameras.empty()) return {};
+  const std::vector<std::string> distortions =
+      text::nearest(distortion, names([](const Layout& each) { return each.distortion_model; }, cameras.front()));
+  if (distortions.empty()) return {Code::kCamchainNearNames, {cameras}};
+  return {Code::kCamchainNearPair, {cameras.front(), distortions.front()}};
 }
 
 text::Dialect dialect_of(const text::Document& document) {

@@ -4,6 +4,7 @@
 
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/document.h>
+#include <fca/message.h>
 #include <fca/models/camera_model.h>
 
 #include <optional>
@@ -37,6 +38,10 @@ struct Layout {
 
 /// The row for writing; null if Kalibr has no such model.
 [[nodiscard]] const Layout* layout_for(const CameraModel& model);
+
+/// "did you mean ...?", where the two names of a camera are near those of a row; a camera_model may hold both
+/// ("pinhole/radtan"). Else says nothing.
+[[nodiscard]] Message nearest_layout(const std::string& camera_model, const std::string& distortion_model);
 
 /// OpenVINS' chains are OpenCV's YAML, Kalibr's own are PyYAML's.
 [[nodiscard]] text::Dialect dialect_of(const text::Document& document);

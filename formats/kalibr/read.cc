@@ -89,17 +89,16 @@ class ChainReader {
     const bool known_camera = std::ranges::any_of(rows, [&](const Layout& l) { return l.camera_model == *camera_model; });
     const auto layout = std::ranges::find_if(
         rows, [&](const Layout& l) { return l.camera_model == *camera_model && l.distortion_model == *distortion_model; });
+    std::vector<Message> meant;
+    if (Message nearest = nearest_layout(*camera_model, *distortion_model); nearest.is_said()) meant = {std::move(nearest)};
     if (!known_camera) {
       const std::vector<std::string> names = {"pinhole", "omni", "eucm", "ds"};
-      const std::vector<std::string> near = text::nearest(*camera_model, names);
-      std::vector<Message> meant;
-      if (!near.empty()) meant = {{Code::kCamchainNearNames, {near}}};
       reader_.say(*reader_.find(node, "camera_model"), Code::kCamchainUnknownCamera, {name, *camera_model, names, meant});
       return false;
     }
     if (layout == rows.end()) {
       reader_.say(*reader_.find(node, "distortion_model"), Code::kCamchainUnknownDistortion,
-                  {name, *camera_model, *distortion_model});
+                  {name, *camera_model, *distortion_model, meant});
       return false;
     }
     camera.model = *make_model(layout->model);

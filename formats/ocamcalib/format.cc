@@ -60,6 +60,7 @@ ProbeResult probe(const text::Document& document) {
   Diagnostics ignored;
   if (find_blocks(document, ignored)) return {90, Message{Code::kCalibResultsBlocks}};
   if (has_shape(lines)) return {70, Message{Code::kCalibResultsShape}};
+  if (std::ranges::none_of(lines, is_numbers)) return {};
   const auto comment = std::ranges::find_if(
       lines, [](const Node& line) { return !is_numbers(line) && (mentions(line, "polynomial") || mentions(line, "affine")); });
   if (comment != lines.end()) return {50, Message{Code::kCalibResultsComment}};

@@ -317,7 +317,7 @@ std::optional<Rig> read_anyhow(const text::Document& document, bool fisheye, boo
   });
   if (rig || !ambiguous) return rig;
   ReadOptions options;
-  options.opencv_model = fisheye ? "fisheye" : "pinhole";
+  options.opencv_model = fisheye ? OpenCvModel::kFisheye : OpenCvModel::kPinhole;
   return read(std::span(&document, 1), options, ignored);
 }
 

@@ -255,8 +255,10 @@ Kind kind_of(const CameraModel& model) {
 std::string_view lens_id(const CameraModel& model) {
   const SkewedModel parts = without_skew(model);
   // A pinhole with skew is radtan's.
-  const bool has_lens = std::ranges::any_of(
-      kOpenCvCoefficients, [&parts](ParameterId id) { return parameter(parts.straight, id).value_or(0.0) != 0.0; });
+  const bool has_lens = std::ranges::any_of(kOpenCvCoefficients, [&parts](ParameterId id) {
+    const std::optional<double> coefficient = parameter(parts.straight, id);
+    return coefficient && *coefficient != 0.0;
+  });
   const std::string_view id = model_info(parts.straight).id;
   return parts.skew_px != 0.0 && id == "radtan" && !has_lens ? "pinhole" : id;
 }

@@ -59,17 +59,17 @@ class LensReader {
     if (!model.foreign || !keys.xi.empty()) return true;
     const Node& node = *reader_.find(own ? map : reader_.document().root(), model.key);
     const std::string what = own ? label(keys, model.key) : model.key;
-    if (options_.opencv_model.empty()) {
+    if (!options_.opencv_model) {
       reader_.say(node, Code::kOpencvForeignModel, {what, node.value});
       return false;
     }
-    reader_.say(node, Code::kOpencvForeignModelAsTold, {what, node.value, options_.opencv_model});
+    reader_.say(node, Code::kOpencvForeignModelAsTold, {what, node.value, name_of(*options_.opencv_model)});
     return true;
   }
 
   /// ReadOptions::opencv_model decides what four numbers are; `why`: why there is nothing to decide.
   void warn_if_told_in_vain(const Node& node, const Message& why) {
-    if (options_.opencv_model == "fisheye") reader_.say(node, Code::kOpencvToldInVain, {why});
+    if (options_.opencv_model == OpenCvModel::kFisheye) reader_.say(node, Code::kOpencvToldInVain, {why});
   }
 
   std::optional<CameraModel> with(std::string_view id, std::span<const ParameterId> parameters, const Numbers& D,
@@ -126,10 +126,10 @@ class LensReader {
 
   /// Are four numbers cv::fisheye's? Nothing, with an error, where nobody says.
   std::optional<bool> decide(std::optional<bool> said, const Node& node, const std::string& what, const Numbers& D) {
-    if (!options_.opencv_model.empty()) {
-      const bool fisheye = options_.opencv_model == "fisheye";
+    if (options_.opencv_model) {
+      const bool fisheye = options_.opencv_model == OpenCvModel::kFisheye;
       if (said && *said != fisheye) {
-        reader_.say(node, Code::kOpencvToldOtherwise, {what, *said ? "fisheye" : "pinhole", options_.opencv_model});
+        reader_.say(node, Code::kOpencvToldOtherwise, {what, *said ? "fisheye" : "pinhole", name_of(*options_.opencv_model)});
       }
       return fisheye;
     }

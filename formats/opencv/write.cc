@@ -165,8 +165,9 @@ void list_lost_sizes(const Rig& rig, const Layout& layout, std::vector<Loss>& lo
 /// The file was read as the caller said, and does not say it itself.
 void tell_ambiguous(const Rig& rig, Written& written, Diagnostics& diagnostics) {
   const bool fisheye = kind_of(rig.cameras.front().model) == Kind::kFisheye;
-  written.opencv_model = fisheye ? "fisheye" : "pinhole";
-  diagnostics.add(Code::kOpencvWrittenAmbiguous, {written.opencv_model, fisheye ? "cv::fisheye" : "cv::projectPoints"});
+  written.opencv_model = fisheye ? OpenCvModel::kFisheye : OpenCvModel::kPinhole;
+  diagnostics.add(Code::kOpencvWrittenAmbiguous,
+                  {name_of(*written.opencv_model), fisheye ? "cv::fisheye" : "cv::projectPoints"});
 }
 
 }  // namespace

@@ -26,17 +26,6 @@ bool is_posed_as_rectified(const Rig& rig) {
                             [](double a, double b) { return std::abs(a - b) <= kFloatPrecision; });
 }
 
-/// Frame::ComputeStereoMatches searches along the rows of rectified images; fisheye pairs are matched without rectification.
-void warn_of_vertical_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
-  const Layout* layout = find_layout(target.style, model_info(rig.cameras.front().model).id);
-  if (layout == nullptr || is_fisheye(*layout)) return;
-  const std::optional<double> below = second_below_first(rig);
-  if (!below) return;
-  constexpr double kCmPerM = 100.0;
-  diagnostics.add(Severity::kWarning, Code::kOrbslam3PairVertical,
-                  {rig.cameras[1].name, kCmPerM * std::abs(*below), *below > 0.0 ? "below" : "above", rig.cameras[0].name});
-}
-
 /// Frame::ComputeStereoMatches searches the images as they are, along their rows; a lens with distortion bends those.
 void warn_of_unrectified_camera(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
   if (!target.sensor.two_cameras || rig.cameras.size() != 1 || is_rectified_pair(rig)) return;
@@ -62,6 +51,12 @@ bool holds_pair(const Rig& rig, Style style) {
   return (layout != nullptr && is_fisheye(*layout)) || is_posed_as_rectified(rig);
 }
 
+// Frame::ComputeStereoMatches searches along the rows of rectified images.
+bool is_vertical(const Rig& rig, Style style) {
+  const Layout* layout = find_layout(style, model_info(rig.cameras.front().model).id);
+  return layout != nullptr && !is_fisheye(*layout) && second_below_first(rig).has_value();
+}
+
 bool check_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
   if (!target.sensor.two_cameras || holds_pair(rig, target.style)) return true;
   diagnostics.add(Code::kOrbslam3PairNotStorable);
@@ -75,7 +70,6 @@ void warn_of_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics
   const bool is_plane = layout != nullptr && !is_fisheye(*layout);
   if ((is_plane && common_view(rig, rig.cameras[0], rig.cameras[1]) == 0.0) || shares_no_columns(rig, target))
     diagnostics.add(Code::kOrbslam3NothingShared, {rig.cameras[0].name, rig.cameras[1].name});
-  warn_of_vertical_pair(rig, target, diagnostics);
   warn_of_unlike_times(rig, diagnostics);
 }
 

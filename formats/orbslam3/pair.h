@@ -12,6 +12,9 @@ namespace fca::orbslam3 {
 /// for both.
 [[nodiscard]] bool holds_pair(const Rig& rig, Style style);
 
+/// Does one of the pair's cameras sit above the other? Nobody minds of fisheyes, which are matched without rectification.
+[[nodiscard]] bool is_vertical(const Rig& rig, Style style);
+
 /// False with an error where the style has no place for the pair.
 [[nodiscard]] bool check_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics);
 

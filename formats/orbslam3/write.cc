@@ -36,12 +36,17 @@ Sensor richest_sensor(const Rig& rig, Style style, std::vector<Message>& next) {
   Sensor best = *find_sensor("mono");
   const bool is_pair = rig.cameras.size() < 2 || may_be_stereo(rig, rig.cameras[0], rig.cameras[1]);
   const bool is_held = holds_pair(rig, style);
+  const bool is_matched = !is_vertical(rig, style);
   for (const Sensor& sensor : kSensors) {
-    if (sensor.two_cameras && !(is_pair && is_held)) continue;
+    if (sensor.two_cameras && !(is_pair && is_held && is_matched)) continue;
     if (!only_when_asked(sensor) && missing_for(rig, sensor, style).empty()) best = sensor;
   }
   if (!is_pair) {
     next = {Message{Code::kOrbslam3NoPair, {rig.cameras[0].name, rig.cameras[1].name}}};
+    return best;
+  }
+  if (!is_matched) {
+    next = {Message{Code::kOrbslam3NoRows, {rig.cameras[0].name, rig.cameras[1].name}}};
     return best;
   }
   if (!is_held) {

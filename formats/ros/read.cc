@@ -5,6 +5,7 @@
 #include <fca/code.h>
 #include <fca/folded_name.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,7 +106,10 @@ class CameraReader {
     if (id == "rational") meant = "rational_polynomial";
     constexpr std::size_t kShown = 40;
     if (meant.empty()) {
-      reader_.say(*info_.model, Code::kRosUnknownModel, {name.substr(0, kShown)});
+      const std::vector<std::string> names = {"plumb_bob", "rational_polynomial", "equidistant"};
+      const std::vector<std::string> near = text::nearest(name.substr(0, kShown), names);
+      reader_.say(*info_.model, near.empty() ? Code::kRosUnknownModel : Code::kRosModelMisspelt,
+                  {name.substr(0, kShown), near});
       return std::nullopt;
     }
     reader_.say(*info_.model, Code::kRosModelOfOthers, {name.substr(0, kShown), meant});

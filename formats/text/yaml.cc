@@ -252,7 +252,7 @@ bool is_about_end(const Refusal& refusal, const Source& source) {
 
 /// What is behind an error of structure: a blank that is missing before it, or an end that comes too early.
 Refusal explained(const Refusal& refusal, const Source& source) {
-  constexpr std::array kOfStructure = {Code::kYamlSyntax, Code::kYamlKeyIsNoName, Code::kYamlDocuments};
+  constexpr std::array kOfStructure = {Code::kYamlSyntax, Code::kYamlKeyIsNoName, Code::kYamlDocuments, Code::kYamlMessages};
   if (!same_id(refusal.message.code, kOfStructure)) return refusal;
   const std::optional<Refusal> blank = blank_missing(source, refusal.offset);
   if (!is_about_end(refusal, source)) return blank.value_or(refusal);
@@ -272,6 +272,14 @@ Refusal describe(const YAML::ParserException& error, const Source& source, std::
   return {{Code::kYamlSyntax, {error.msg}}, offset};
 }
 
+/// A message as rostopic echo and ros2 topic echo print it.
+bool is_message(const Node& root) {
+  const auto has = [&root](std::string_view key) {
+    return std::ranges::any_of(root.entries, [key](const Entry& each) { return each.key.value == key; });
+  };
+  return has("header") && (has("K") || has("k")) && (has("D") || has("d"));
+}
+
 }  // namespace
 
 std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics& diagnostics) {
@@ -288,7 +296,10 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
     TreeBuilder further(source, spaced, skipped);
     std::size_t last_start = builder.document_start();
     while (parser.HandleNextDocument(further)) {
-      if (further.has_content()) throw Refusal{{Code::kYamlDocuments}, further.take_root().span.offset};
+      if (further.has_content()) {
+        const Code code = is_message(builder.take_root()) ? Code::kYamlMessages : Code::kYamlDocuments;
+        throw Refusal{{code}, further.take_root().span.offset};
+      }
       // On a token that begins nothing yaml-cpp reports empty documents without end.
       if (further.document_start() <= last_start) throw Refusal{{Code::kYamlNothingBegins}, further.document_start()};
       last_start = further.document_start();

@@ -35,6 +35,8 @@ ProbeResult probe(const text::Document& document) {
   for (const std::string_view section : {"projection_parameters", "poly_parameters"}) {
     if (has(section)) return {evidence::kCamera, Message{Code::kFoundTopLevel, {section}}};
   }
+  // D2SLAM's settings have VINS' keys; its program reads further files, and lenses of its own.
+  if (has("self_id") && has("estimation_mode")) return {};
   // OV2SLAM's settings have body_T_cam0, too.
   const bool of_vins = has("num_of_cam") || has("image0_topic") || has("acc_n") || has("max_cnt");
   if (has("cam0_calib")) return {evidence::kCamera, Message{Code::kFoundTopLevel, {"cam0_calib"}}};

@@ -26,6 +26,11 @@ std::span<const CodeInfo> conversion_codes() {
       error(Code::kTooFewPixelsToFit, "domain-too-small",
             "{0}: too few pixels of the image lie in the domain to fit {1}, however many samples are taken between them"),
       error(Code::kFitFailed, "fit-failed", "{0}: no {1} camera comes near this one"),
+      error(
+          Code::kStretchOfNoLens, "stretch-of-no-lens",
+          "{0}: on its axis a radian has {1:.3} times as many pixels in one direction as in another; no lens and sensor do so, "
+          "and no model is fitted to it",
+          "compare the focal lengths (or c, d and e) with the calibration's result"),
       error(Code::kNoPartCompared, "nothing-to-compare", "{0}: no part of the image could be compared with {1}"),
       warning(Code::kTargetCannotReach, "target-cannot-reach",
               "{0}: {1} cannot describe this lens as far as the domain goes; it was fitted inside {2:.0f} deg from the axis, "
@@ -34,9 +39,10 @@ std::span<const CodeInfo> conversion_codes() {
       warning(Code::kFoldsInsideImage, "folds-inside-image",
               "{0}: its distortion folds at {1:.0f} deg from the axis, inside the image: {2:%} of the image has no ray",
               "calibrate anew with observations up to the corners, or with a model for wide lenses (kb4, ds, eucm)"),
-      warning(Code::kFocalLengthsDiffer, "focal-lengths-differ",
-              "{0}: the focal lengths along u and v, {1} and {2} px, differ more than the sides of any sensor's pixels do",
-              "compare both with the calibration's result"),
+      warning(
+          Code::kFocalLengthsDiffer, "focal-lengths-differ",
+          "{0}: the focal lengths along u and v, {1:.4} and {2:.4} px, differ more than the sides of any sensor's pixels do",
+          "compare both with the calibration's result"),
       warning(Code::kCentreOutside, "centre-outside", "{0}: the principal point ({1}, {2}) lies outside the {3} x {4} image",
               "right for a part cut out of a larger image; else compare it with the calibration's result"),
       clause(Code::kDomainGiven, "given"),

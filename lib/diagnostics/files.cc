@@ -48,6 +48,7 @@ std::span<const CodeInfo> file_codes() {
             kSayWhichFormat),
       clause(Code::kLooksLikeMultiCol, "MultiCol-SLAM's OCam settings"),
       clause(Code::kLooksLikeOv2Slam, "OV2SLAM's settings"),
+      clause(Code::kLooksLikeD2Slam, "D2SLAM's settings"),
       clause(Code::kLooksLikePlainLists, "OpenCV's numbers in plain lists, of which cv::FileStorage makes no matrix"),
       clause(Code::kLooksLikePyOcamCalib, "py-OCamCalib's JSON"),
       error(Code::kFormatAmbiguous, "ambiguous-format", "could be {0:or}", "say which format it is"),

@@ -105,6 +105,13 @@ std::vector<Defect> defects() {
          if (rig.cameras.empty() || model_info(rig.cameras.front().model).id != std::string_view("radtan")) return false;
          return set_parameter(rig.cameras.front().model, "p1", -0.11);
        }},
+      {"tangential terms beside numbers of no fisheye",
+       {"tangential-too-large"},
+       [](Rig& rig) {
+         if (rig.cameras.empty() || model_info(rig.cameras.front().model).id != std::string_view("radtan")) return false;
+         CameraModel& model = rig.cameras.front().model;
+         return set_parameter(model, "p1", 0.03) && set_parameter(model, "k1", -0.4);
+       }},
       {"a distortion that folds",
        {"folds-inside-image", "undistortion-inexact"},
        [](Rig& rig) {

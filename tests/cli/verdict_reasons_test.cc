@@ -515,5 +515,40 @@ TEST(VerdictFirst, ARotationOfFewDigitsIsNoFaultOfCOLMAPsFiles) {
   EXPECT_EQ(run.code, 0) << chain << run.out << run.err;
 }
 
+/// EuRoC's lens twice, the second camera at `translation` of the first.
+std::string radtan_pair_at(const std::string& translation) {
+  std::string pair = pair_at(translation);
+  for (const auto& [from, to] : {std::pair("equidistant", "radtan"),
+                                 {"[0.01, -0.002, 0.001, -0.0003]", "[-0.28, 0.07, 0.0, 0.0]"},
+                                 {"[300.0, 300.0, 319.5, 239.5]", "[458.6, 457.2, 319.5, 239.5]"}}) {
+    for (std::size_t at = pair.find(from); at != std::string::npos; at = pair.find(from, at + 1))
+      pair.replace(at, std::string_view(from).size(), to);
+  }
+  return pair;
+}
+
+/// One camera above the other.
+std::string upright(std::string pair) {
+  const std::string beside = "[1.0, 0.0, 0.0, -0.11]\n  - [0.0, 1.0, 0.0, 0.0]";
+  return pair.replace(pair.find(beside), beside.size(), "[1.0, 0.0, 0.0, 0.0]\n  - [0.0, 1.0, 0.0, -0.11]");
+}
+
+// ORB-SLAM3 looks for a pair's matches along rows; fisheyes it matches by descriptors.
+TEST(VerdictReasons, AVerticalPairOfPlanesIsNoStereoPair) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("vertical.yaml", upright(radtan_pair_at("-0.11")));
+  const Told usual({"convert", file, "--to", "orbslam3", "-o", folder / "mono.yaml"});
+  EXPECT_EQ(std::string(usual.json()["mode"].GetString()), "mono");
+  const Told stereo({"convert", file, "--to", "orbslam3", "--sensor", "stereo", "-o", folder / "stereo.yaml"});
+  EXPECT_EQ(word_of(stereo), "do-not-use");
+  EXPECT_TRUE(codes_of(stereo).contains("stereo-vertical"));
+  const Told forced(
+      {"convert", file, "--to", "orbslam3", "--sensor", "stereo", "-o", folder / "stereo.yaml", "--accept", "stereo-vertical"});
+  const Told checked({"check", folder / "stereo.yaml"});
+  EXPECT_EQ(word_of(checked), "do-not-use");
+  const std::string fisheyes = folder.write("fisheyes.yaml", upright(pair_at("-0.11")));
+  EXPECT_EQ(word_of(Told({"convert", fisheyes, "--to", "orbslam3", "-o", folder / "kb4.yaml"})), "ready");
+}
+
 }  // namespace
 }  // namespace fca::test

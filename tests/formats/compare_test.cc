@@ -24,7 +24,7 @@ std::optional<Calibration> read(const fs::path& path) {
   std::optional<text::Document> document = text::parse_document({path.filename().string(), read_file(path)}, diagnostics);
   if (!document) return std::nullopt;
   ReadOptions options;
-  options.opencv_model = "fisheye";
+  options.opencv_model = OpenCvModel::kFisheye;
   std::optional<Calibration> calibration = read_calibration({*std::move(document)}, nullptr, options, diagnostics);
   if (!calibration) {
     // Some files are of two formats, or of no ambiguous OpenCV lens.

@@ -105,7 +105,7 @@ bool fits(const Comparison& comparison, const Consumer& consumer) {
 std::vector<LoadOptions> readings(const Consumer& consumer) {
   std::vector<LoadOptions> result(1);
   if (consumer.id != "opencv") return result;
-  for (const char* model : {"pinhole", "fisheye"}) {
+  for (const OpenCvModel model : {OpenCvModel::kPinhole, OpenCvModel::kFisheye}) {
     result.emplace_back();
     result.back().opencv_model = model;
   }
@@ -126,7 +126,7 @@ void compare_tables(const std::string& id, const std::string& folder, const std:
     bool found = false;
     for (const LoadOptions& options : readings(consumer)) {
       const ConsumerView view = consumer.load(bytes, options);
-      if (options.opencv_model.empty()) {
+      if (!options.opencv_model) {
         EXPECT_TRUE(view.loads()) << table.file << ": " << (view.loads() ? "" : sentence_of(view.refusals.front()));
       }
       if (table.camera >= view.cameras.size()) continue;
@@ -134,7 +134,7 @@ void compare_tables(const std::string& id, const std::string& folder, const std:
       if (found && !(fits(comparison, consumer) && !fits(best, consumer))) continue;
       found = true;
       best = comparison;
-      told = options.opencv_model;
+      told = options.opencv_model ? name_of(*options.opencv_model) : "";
     }
     EXPECT_TRUE(fits(best, consumer)) << table.file << ": " << best.worst << " px, " << best.one_sided << " one-sided";
     std::printf("%-140s cam%zu %4d rows %4d nan %4d excepted  max %.2g px%s%s\n", table.file.c_str(), table.camera,

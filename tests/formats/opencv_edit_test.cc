@@ -273,8 +273,8 @@ std::string ambiguous_bytes() {
 }
 
 TEST(OpenCvEdit, AnAmbiguousBaseStaysAsItIsUntilItsCoefficientsChange) {
-  for (const char* told : {"pinhole", "fisheye"}) {
-    SCOPED_TRACE(told);
+  for (const OpenCvModel told : {OpenCvModel::kPinhole, OpenCvModel::kFisheye}) {
+    SCOPED_TRACE(name_of(told));
     const Base base = base_of(ambiguous_bytes(), "x.json", {std::nullopt, told});
     EXPECT_EQ(bytes_of(write(base, base.rig())), base.bytes);
     EXPECT_EQ(write(base, base.rig()).opencv_model, told);
@@ -284,8 +284,8 @@ TEST(OpenCvEdit, AnAmbiguousBaseStaysAsItIsUntilItsCoefficientsChange) {
     Rig lens = base.rig();
     set_parameter(lens.cameras[0].model, "k2", 0.25);
     const std::string bytes = bytes_of(write(base, lens));
-    EXPECT_EQ(write(base, lens).opencv_model, "");
-    EXPECT_NE(bytes.find("\"fisheye_model\": " + std::string(std::string(told) == "fisheye" ? "1" : "0")), std::string::npos)
+    EXPECT_EQ(write(base, lens).opencv_model, std::nullopt);
+    EXPECT_NE(bytes.find("\"fisheye_model\": " + std::string(told == OpenCvModel::kFisheye ? "1" : "0")), std::string::npos)
         << bytes;
     EXPECT_TRUE(base_of(bytes, "x.json").rig().cameras == lens.cameras) << bytes;
   }

@@ -107,7 +107,7 @@ TEST(OpenCvFunctions, GoWrongAsTheirConsumerSays) {
                            std::nullopt, std::nullopt, ""});
     const std::string bytes = written_by(opencv, nullptr, rig, {}).files.at(0).document.bytes();
     const cv::FileStorage file(bytes, cv::FileStorage::READ | cv::FileStorage::MEMORY);
-    const consumers::ConsumerView view = consumers::find_consumer("opencv")->load(bytes, {"", "fisheye"});
+    const consumers::ConsumerView view = consumers::find_consumer("opencv")->load(bytes, {"", OpenCvModel::kFisheye});
     ASSERT_EQ(view.cameras.size(), 1U) << bytes;
     std::vector<cv::Point2d> pixels;
     for (int u = 0; u < 1280; u += 20) {

@@ -58,8 +58,8 @@ CameraModel model(const std::string& bytes, const ReadOptions& options = {}) {
   return result.calibration ? result.calibration->rig.cameras.at(0).model : CameraModel();
 }
 
-const ReadOptions kPinhole{std::nullopt, "pinhole"};
-const ReadOptions kFisheye{std::nullopt, "fisheye"};
+const ReadOptions kPinhole{std::nullopt, OpenCvModel::kPinhole};
+const ReadOptions kFisheye{std::nullopt, OpenCvModel::kFisheye};
 
 TEST(OpenCvRead, TheLengthOfDChoosesTheModel) {
   const std::string head = kHead + kSize + K();
@@ -274,7 +274,8 @@ TEST(OpenCvRead, SizesInManySpellings) {
     EXPECT_TRUE(result.calibration->rig.extra_fields.empty()) << size;
   }
   EXPECT_FALSE(read(kHead + body).calibration->rig.cameras.at(0).image_size);
-  EXPECT_EQ(read(kHead + body, {ImageSize{320, 200}, ""}).calibration->rig.cameras.at(0).image_size, (ImageSize{320, 200}));
+  EXPECT_EQ(read(kHead + body, {ImageSize{320, 200}, std::nullopt}).calibration->rig.cameras.at(0).image_size,
+            (ImageSize{320, 200}));
 }
 
 // cv::FileStorage holds floats where dt says so: the numbers are those, not the digits.

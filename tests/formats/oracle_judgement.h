@@ -96,7 +96,7 @@ inline std::optional<Case> case_of(const consumers::Consumer& consumer, const Or
   const Camera& camera = read.calibration->rig.cameras[table.camera];
   if (!camera.image_size) return std::nullopt;
   for (const char* mode : {"mono", "stereo"}) {
-    const consumers::LoadOptions options = {mode, ""};
+    const consumers::LoadOptions options = {mode, std::nullopt};
     const ProofResult proof = prove(consumer, bytes, options, read.calibration->rig);
     const consumers::ConsumerView view = consumer.load(bytes, options);
     if (!proof.loads || proof.cameras.size() <= table.camera || view.cameras.size() <= table.camera) continue;

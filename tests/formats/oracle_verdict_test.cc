@@ -78,8 +78,8 @@ std::optional<Case> written_anew(const consumers::Consumer& consumer, const Orac
   const std::optional<Written> written = find_format(consumer.format)->write(nullptr, rig, options, diagnostics);
   if (!written || written->files.front().cameras.empty()) return std::nullopt;
   const std::string bytes = written->files.front().document.bytes();
-  const ProofResult proof = prove(consumer, bytes, {"mono", ""}, rig);
-  const consumers::ConsumerView view = consumer.load(bytes, {"mono", ""});
+  const ProofResult proof = prove(consumer, bytes, {"mono", std::nullopt}, rig);
+  const consumers::ConsumerView view = consumer.load(bytes, {"mono", std::nullopt});
   if (!proof.loads || proof.cameras.size() != 1) return std::nullopt;
   return Case{old->camera, proof.cameras.front(), view.cameras.front()};
 }

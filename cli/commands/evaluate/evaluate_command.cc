@@ -8,17 +8,13 @@ namespace fca::cli {
 namespace {
 
 ExitCode run_evaluation(const EvaluateArguments& arguments, Console& console) {
-  Diagnostics diagnostics;
-  std::optional<Evaluation> evaluation = evaluate(diagnostics);
-  // The cameras are ours, not the user's.
-  if (!evaluation) return console.refuse(ExitCode::kBug, diagnostics);
-  if (!arguments.image.empty() && !add_recovered_images(arguments.image, *evaluation, console.files(), diagnostics))
-    return console.refuse(worse(exit_code(status_of(diagnostics)), ExitCode::kBadInput), diagnostics);
-  console.show(diagnostics);
+  const EvaluateResult result = evaluate({arguments.image}, console.files());
+  if (result.status != Status::kDone) return console.refuse(exit_code(result.status), result.diagnostics);
+  console.show(result.diagnostics);
   if (arguments.json) {
-    console.out(evaluate_json(*evaluation));
+    console.out(evaluate_json(result));
   } else {
-    console.say(evaluate_text(*evaluation));
+    console.say(evaluate_text(result));
   }
   return ExitCode::kGood;
 }

@@ -125,7 +125,7 @@ void put_polynomials(Json& json, const EvaluatedPolynomials& polynomials) {
 
 }  // namespace
 
-std::string evaluate_json(const Evaluation& evaluation) {
+std::string evaluate_json(const EvaluateResult& evaluation) {
   Json json;
   json.object([&] {
     json.put("fca_io", FCA_VERSION);

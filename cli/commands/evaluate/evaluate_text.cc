@@ -181,7 +181,7 @@ std::string sign_error_in_words(const EvaluatedPolynomials& polynomials) {
          "judge its pixels. Degree 2 is short for this lens, so that a0 depends on how far it is to reach; degree 4 is enough.";
 }
 
-std::string evaluate_text(const Evaluation& evaluation) {
+std::string evaluate_text(const EvaluateResult& evaluation) {
   std::string text =
       paragraph(
           "Lee, Fisheye-Calib-Adapter (2024), Tables 1-3, recomputed. RE is the mean distance on the paper's samples (N = " +

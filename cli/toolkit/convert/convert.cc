@@ -143,8 +143,7 @@ void add_remedies(const ConvertRequest& request, const Start& start, const Conve
   }
 }
 
-Verdict verdict_of(const ConvertRequest& request, const Start& start, const ConvertResult& before,
-                   const ConvertResult& result) {
+std::vector<Finding> findings_of(const Start& start, const ConvertResult& before, const ConvertResult& result) {
   std::vector<Finding> findings = start.findings;
   add_findings(std::span(result.diagnostics.entries()).subspan(before.diagnostics.entries().size()), findings);
   for (const ConvertedCamera& camera : result.cameras) {
@@ -152,6 +151,11 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
     if (const std::optional<Message> problem = undistortion_problem(camera.target))
       findings.push_back({.severity = info(problem->code).severity, .facts = *problem});
   }
+  return findings;
+}
+
+Verdict verdict_of(const ConvertRequest& request, const Start& start, const ConvertResult& before,
+                   const ConvertResult& result) {
   VerdictFacts facts;
   facts.to = result.to;
   facts.mode = result.mode;
@@ -163,7 +167,7 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.is_named = request.into.empty() && request.model == nullptr;
   facts.losses = result.losses;
   facts.defaults = result.defaults;
-  facts.findings = findings;
+  facts.findings = result.findings;
   facts.rig = start.outvoted ? &start.rig_of_input : &start.input.rig;
   facts.outvoted = start.outvoted ? &*start.outvoted : nullptr;
   std::vector<std::vector<std::string>> files;
@@ -219,6 +223,7 @@ bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
   for (Loss& loss : result.losses) loss.matters = matters(loss, *result.to, result.mode);
   warn_of_poor_fits(request, result);
   apply_limits(request, result);
+  result.findings = findings_of(start, before, result);
   result.verdict = verdict_of(request, start, before, result);
   if (result.verdict.word == VerdictWord::kDoNotUse) result.status = worse(result.status, Status::kRejected);
   return true;

@@ -2,6 +2,7 @@
 #include <fca/toolkit/evaluate.h>
 
 #include "degrees.h"
+#include "recovered_images.h"
 
 #include <fca/convert/domain.h>
 #include <fca/convert/judge.h>
@@ -176,23 +177,30 @@ std::optional<EvaluatedPolynomials> evaluate_polynomials(Diagnostics& diagnostic
   return result;
 }
 
-}  // namespace
-
-std::optional<Evaluation> evaluate(Diagnostics& diagnostics) {
-  Evaluation result;
+/// False with an error if one of the cameras cannot be converted, which would be a bug.
+bool add_tables(EvaluateResult& result) {
   for (paper::ConversionTable& table : paper::conversion_tables()) {
     EvaluatedTable evaluated;
     for (const paper::Row& row : table.rows) {
-      std::optional<EvaluatedRow> evaluated_row = evaluate_row(table, row, diagnostics);
-      if (!evaluated_row) return std::nullopt;
+      std::optional<EvaluatedRow> evaluated_row = evaluate_row(table, row, result.diagnostics);
+      if (!evaluated_row) return false;
       evaluated.rows.push_back(std::move(*evaluated_row));
     }
     evaluated.published = std::move(table);
     result.conversions.push_back(std::move(evaluated));
   }
-  std::optional<EvaluatedPolynomials> polynomials = evaluate_polynomials(diagnostics);
-  if (!polynomials) return std::nullopt;
-  result.polynomials = std::move(*polynomials);
+  std::optional<EvaluatedPolynomials> polynomials = evaluate_polynomials(result.diagnostics);
+  if (polynomials) result.polynomials = std::move(*polynomials);
+  return polynomials.has_value();
+}
+
+}  // namespace
+
+EvaluateResult evaluate(const EvaluateRequest& request, Files& files) {
+  EvaluateResult result;
+  const bool is_done =
+      add_tables(result) && (request.image_path.empty() || add_recovered_images(request.image_path, files, result));
+  if (!is_done) result.status = worse(status_of(result.diagnostics), Status::kBadInput);
   return result;
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "recovered_images.h"
+
 #include "degrees.h"
 #include "read/image_planes.h"
 #include "words.h"
@@ -6,7 +8,6 @@
 #include <fca/code.h>
 #include <fca/compare/image_similarity.h>
 #include <fca/remap/lanczos.h>
-#include <fca/toolkit/evaluate.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -66,7 +67,8 @@ RecoveredImage compared(const std::vector<GreyImage>& before, const Recovered& a
 
 }  // namespace
 
-bool add_recovered_images(const std::string& path, Evaluation& evaluation, Files& files, Diagnostics& diagnostics) {
+bool add_recovered_images(const std::string& path, Files& files, EvaluateResult& evaluation) {
+  Diagnostics& diagnostics = evaluation.diagnostics;
   const std::optional<Image> image = files.read_image(path, diagnostics);
   if (!image) return false;
   const ImageSize size = {image->width, image->height};

@@ -209,12 +209,7 @@ std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, 
 }
 
 ReadOptions read_options(const Inputs& inputs) {
-  return {inputs.image_size, std::string(name_of(inputs.opencv_model)), inputs.join, inputs.length_unit_m, inputs.imu_rate_hz};
-}
-
-std::string_view name_of(const std::optional<OpenCvModel>& model) {
-  if (!model) return "";
-  return *model == OpenCvModel::kPinhole ? "pinhole" : "fisheye";
+  return {inputs.image_size, inputs.opencv_model, inputs.join, inputs.length_unit_m, inputs.imu_rate_hz};
 }
 
 }  // namespace fca

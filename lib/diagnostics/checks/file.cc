@@ -73,6 +73,7 @@ std::span<const CodeInfo> file_check_codes() {
       mend(Code::kSpellNumber, "number-as-text", "write {0}"),
       mend(Code::kSpellWhole, "real-for-int", "write {0}"),
       mend(Code::kSpellQuoted, "unquoted-text", "write {0}"),
+      mend(Code::kSpellRows, "wrong-length", "put each row of four numbers into brackets"),
       mend(Code::kMarkRemoved, "byte-order-mark", "save the file as UTF-8 without a byte order mark (BOM)"),
       mend(Code::kTabsToBlanks, "yaml-tab", "write blanks for the TABs"),
       mend(Code::kHeaderOfYaml, "opencv-header", "write {0}{1}"),

@@ -200,6 +200,7 @@ std::span<const CodeInfo> general_codes() {
           "take out what is no calibration"),
       any(Code::kAnyTooManyCameras, "too-many-cameras", "more cameras than any rig has", "fca-io does not read the file.",
           "split the file"),
+      any(Code::kAnyTangentialTooLarge, "tangential-too-large", "tangential terms that no lens has", kWrongPixels),
       any(Code::kAnyTranslationInMm, "translation-in-mm", "a translation that is not in metres", kWrongPose),
       any(Code::kAnyUndistortionInexact, "undistortion-inexact", "cv::undistortPoints does not arrive at the ray",
           "Undistorted points near the corners are wrong: in OpenCV, and in ORB-SLAM, VINS and OpenVINS, which call it."),

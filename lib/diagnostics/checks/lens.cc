@@ -37,6 +37,12 @@ std::span<const CodeInfo> lens_check_codes() {
                   kNameTheFisheye),
           "Straight lines bend sideways and pixels far from the centre are off by tens of pixels."),
       with_consequence(
+          warning(Code::kTangentialOfNoLens, "tangential-too-large",
+                  "{0}: {1} = {2:.4} is no tangential distortion of a real lens (below 0.01), and the other numbers are of no "
+                  "fisheye: a poor calibration",
+                  "calibrate with more views, and with targets up to the border"),
+          "Straight lines bend sideways and pixels far from the centre are off by tens of pixels."),
+      with_consequence(
           warning(Code::kRectilinearTooWide, kFamily,
                   "{0}: nearly no distortion (k1 = {1:.3}) at {2:.4} deg across the image: no such lens is built; an "
                   "equidistant (Kannala-Brandt) model has such numbers",

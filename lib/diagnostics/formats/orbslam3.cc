@@ -160,6 +160,8 @@ std::span<const CodeInfo> orbslam3_codes() {
 
       // What to do, and why.
       clause(Code::kOrbslam3NoPair, "; not stereo: {0} and {1} have less than a quarter of their images in common"),
+      clause(Code::kOrbslam3NoRows,
+             "; not stereo: {0} and {1} sit one above the other, and its matches of a pair lie beside each other"),
       clause(Code::kOrbslam3FirstIsLeft, "ORB-SLAM3 takes the first camera of a stereo pair for the left one"),
       clause(Code::kOrbslam3Layouts,
              "v1 (stock V1.0), old (before V1.0), orbslam2 or slam_no_opt (default: the input's, else what V1.0 reads best)"),

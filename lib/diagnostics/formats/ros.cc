@@ -73,6 +73,9 @@ std::span<const CodeInfo> ros_codes() {
             "distortion_model '{0}' is none that image_geometry knows (plumb_bob, rational_polynomial, equidistant): it throws "
             "at the first point or image",
             "convert the camera from the file of the program that made it"),
+      error(Code::kRosModelMisspelt, "unknown-model",
+            "distortion_model '{0}' is none that image_geometry knows (plumb_bob, rational_polynomial, equidistant)",
+            "did you mean {1:or}?"),
       reader_warning(
           Code::kRosModelOfOthers, "program-refuses",
           "distortion_model '{0}' is none that image_geometry knows (plumb_bob, rational_polynomial, equidistant): it throws "

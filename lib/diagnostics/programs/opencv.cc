@@ -9,7 +9,6 @@ namespace fca::diagnostics {
 
 std::span<const CodeInfo> opencv_program_codes() {
   static constexpr std::array kRows = {
-      refusal(Code::kCvUnknownFunction, "there is no function '{0}'; pinhole and fisheye are known"),
       named_refusal(Code::kCvNoCameraMatrix,
                     "no camera matrix under a key that OpenCV's samples read: camera_matrix, M1, K1, camera_matrix_1, "
                     "camera_matrix_left, camera_0"),

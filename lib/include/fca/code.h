@@ -159,6 +159,7 @@ enum class Code : std::uint16_t {
   kTooFewRaysToFit,
   kTooFewPixelsToFit,
   kFitFailed,
+  kStretchOfNoLens,
   kNoPartCompared,
   kTargetCannotReach,
   kFoldsInsideImage,
@@ -228,6 +229,7 @@ enum class Code : std::uint16_t {
   kYamlBlankMissing,
   kYamlTab,
   kYamlDocuments,
+  kYamlMessages,
   kYamlNothingBegins,
   kYamlMapValue,
   kYamlSyntax,
@@ -351,6 +353,7 @@ enum class Code : std::uint16_t {
   kFormatLooksLikeKeysInside,
   kLooksLikeMultiCol,
   kLooksLikeOv2Slam,
+  kLooksLikeD2Slam,
   kLooksLikePlainLists,
   kLooksLikePyOcamCalib,
   kFormatAmbiguous,
@@ -392,6 +395,7 @@ enum class Code : std::uint16_t {
   kCamchainNoMapping,
   kCamchainUnknownCamera,
   kCamchainNearNames,
+  kCamchainNearPair,
   kCamchainUnknownDistortion,
   kCamchainOutsideRange,
   kCamchainAlphaBelowOne,
@@ -821,6 +825,7 @@ enum class Code : std::uint16_t {
   kOrbslam3StockByLayout,
   kOrbslam3FirstIsLeft,
   kOrbslam3NoPair,
+  kOrbslam3NoRows,
 
   // VINS-Fusion's files, as read and written.
   kVinsDegreeFour,
@@ -909,6 +914,7 @@ enum class Code : std::uint16_t {
   kRosMatrixCorner,
   kRosModelAssumed,
   kRosUnknownModel,
+  kRosModelMisspelt,
   kRosModelOfOthers,
   kRosFisheyeCount,
   kRosOpenCvCount,
@@ -960,6 +966,8 @@ enum class Code : std::uint16_t {
   kKalibrSaysTimeshiftNoFloat,
   kKalibrSaysBaselineMissing,
   kKalibrSaysPoseNoRows,
+  kKalibrSaysFormOfReals,
+  kKalibrSaysPoseFlat,
   kKalibrSaysImuNested,
   kKalibrSaysImuNoNumber,
   kKalibrSaysImuNotPositive,
@@ -1139,7 +1147,6 @@ enum class Code : std::uint16_t {
   kNerfSaysAngleFirst,
 
   // What OpenCV's functions make of a file.
-  kCvUnknownFunction,
   kCvNoCameraMatrix,
   kCvOtherMatrixFirst,
   kCvNoMatrix,
@@ -1326,6 +1333,7 @@ enum class Code : std::uint16_t {
   kSpellNumber,
   kSpellWhole,
   kSpellQuoted,
+  kSpellRows,
   kMarkRemoved,
   kTabsToBlanks,
   kHeaderOfYaml,
@@ -1341,6 +1349,7 @@ enum class Code : std::uint16_t {
 
   // What a check finds about lenses and images.
   kTangentialTooLarge,
+  kTangentialOfNoLens,
   kRectilinearTooWide,
   kRadtanUnderEquidistant,
   kMeiUnderRadtan,
@@ -1488,6 +1497,7 @@ enum class Code : std::uint16_t {
   kAnyTooLarge,
   kAnyTooLong,
   kAnyTooManyCameras,
+  kAnyTangentialTooLarge,
   kAnyTranslationInMm,
   kAnyUndistortionInexact,
   kAnyUnitsNotStated,

@@ -5,6 +5,7 @@
 #include "stories.h"
 
 #include <fca/code.h>
+#include <fca/formats/sightings.h>
 #include <fca/formats/text/message.h>
 
 #include <algorithm>
@@ -58,6 +59,16 @@ std::string sentences_of(const CodeInfo& code) {
   return text;
 }
 
+/// How far to believe it.
+std::string experience_with(std::string_view code) {
+  const Sighting seen = sighting_of(code);
+  const std::string all = "Of " + std::to_string(kRealFiles) + " real calibration files ";
+  if (seen.files == 0) return all + "none has it.";
+  const std::string have = all + std::to_string(seen.files) + (seen.files == 1 ? " has" : " have") + " it";
+  if (seen.false_alarms == 0) return have + ", none of them by mistake.";
+  return have + "; " + std::to_string(seen.false_alarms) + " of those are right as they are.";
+}
+
 }  // namespace
 
 std::string explanation(const CodeInfo& code) {
@@ -70,6 +81,7 @@ std::string explanation(const CodeInfo& code) {
     if (!consequence.empty() || !fix.empty()) text += '\n';
     if (!consequence.empty()) text += paragraph("if used: " + consequence, "");
     if (!fix.empty()) text += paragraph("fix: " + fix, "");
+    text += "\n" + paragraph(experience_with(code.id), "");
   } else {
     std::set<std::string> said;
     for (const CodeInfo& row : all_codes()) {

@@ -311,6 +311,10 @@ another one. Milliseconds (5.3) look so, and clocks that were never set.)"},
     Story{"too-long", "The limit is 100,000 values in one list, keys in one block, or lines."},
     Story{"too-many-cameras", "The limit is 100 cameras: their poses are compared each with each."},
     Story{
+        "tangential-too-large",
+        R"(p1 and p2 say how far the lens is tilted against the sensor: below 0.01 on real lenses. Larger ones make up for what
+the views did not show. Beside a k1 and k2 below 0.3, as fisheyes have them, they are taken for its k3 and k4: wrong-family.)"},
+    Story{
         "translation-in-mm",
         R"(Kalibr, ORB-SLAM3 and WoodScape state metres. Parts of a rig more than 5 m apart are a warning, 50 m an error: 110 mm
 read as metres are 110 m. Two cameras less than a millimetre apart are a warning, too. OpenCV's stereo calibration has the
@@ -338,7 +342,8 @@ length with the distance of the two lenses.)"},
           "The first number of OCamCalib's polynomials is how many follow; rows x cols of a matrix is how many numbers data "
           "holds; COLMAP's binary files begin with how many cameras or rigs they hold."},
     Story{"wrong-family", R"(Four numbers look alike in every file. What tells them apart:
-* radtan's p1 and p2 are below 0.01 on real lenses; k3 and k4 of an equidistant model often are not.
+* radtan's p1 and p2 are below 0.01 on real lenses; k3 and k4 of an equidistant model often are not (beside a k1 and k2 below
+  0.3, which fisheyes have; else: tangential-too-large).
 * no lens without distortion sees 100 deg across the image; an equidistant model's k1 near 0 under radtan claims one.
 * an equidistant model with |k1| > 0.15 has higher terms of its size; radtan's -0.28 0.07 0.0002 -0.00002 under its name
   ends in next to nothing.

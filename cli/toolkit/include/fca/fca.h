@@ -4,12 +4,16 @@
 // writes.
 #pragma once
 
+#include <fca/formats/text/message.h>
+#include <fca/formats/wording.h>
 #include <fca/toolkit/check.h>
 #include <fca/toolkit/compare.h>
 #include <fca/toolkit/convert.h>
 #include <fca/toolkit/evaluate.h>
+#include <fca/toolkit/ledger.h>
 #include <fca/toolkit/models.h>
 #include <fca/toolkit/read.h>
 #include <fca/toolkit/remap.h>
 #include <fca/toolkit/report.h>
 #include <fca/toolkit/save.h>
+#include <fca/toolkit/target.h>

@@ -4,6 +4,7 @@
 
 #include <fca/convert/convert.h>
 #include <fca/diagnostics.h>
+#include <fca/formats/opencv_model.h>
 #include <fca/formats/text/document.h>
 #include <fca/rig/rig.h>
 
@@ -19,8 +20,8 @@ namespace fca {
 
 /// How a reader is to understand what a file leaves open.
 struct ReadOptions {
-  std::optional<ImageSize> image_size;  ///< For files that do not state one.
-  std::string opencv_model;             ///< "pinhole" or "fisheye", for OpenCV files whose four numbers could be either.
+  std::optional<ImageSize> image_size;      ///< For files that do not state one.
+  std::optional<OpenCvModel> opencv_model;  ///< Of OpenCV files whose four numbers could be either's.
   bool join = false;  ///< Further documents are further cameras of one rig: a name that is taken becomes the next "camN".
   std::optional<double> length_unit_m = {};  ///< Of translations in files that do not state it; default: metres.
   std::optional<double> imu_rate_hz = {};    ///< Of the IMU, where a file does not state it.
@@ -117,11 +118,11 @@ struct Written {
     bool of_defaults = false;  ///< It states nothing of the rig, but what the program stops without.
   };
   std::vector<File> files;
-  Message headline;          ///< First line for people: mode, who reads it, who does not.
-  std::string sensor;        ///< orbslam3: the mode written for; or kLensAlone.
-  std::string opencv_model;  ///< opencv: what a reader must be told ("fisheye") where the file does not say it; else empty.
-  Message first_is_left;     ///< Why the first of two cameras is to be the left one, for people; none: nothing asks for it.
-  Message pose_remedy;       ///< What to do about poses that the files do not say; may be none.
+  Message headline;                         ///< First line for people: mode, who reads it, who does not.
+  std::string sensor;                       ///< orbslam3: the mode written for; or kLensAlone.
+  std::optional<OpenCvModel> opencv_model;  ///< opencv: what a reader must be told where the file does not say it.
+  Message first_is_left;  ///< Why the first of two cameras is to be the left one, for people; none: nothing asks for it.
+  Message pose_remedy;    ///< What to do about poses that the files do not say; may be none.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
   std::vector<PoseEdge> restated;  ///< Poses that the files say otherwise than the rig, on purpose; each is among the losses.
@@ -163,7 +164,8 @@ struct Format {
   bool many_cameras = true;             ///< In one file; else a rig is written as one file per camera.
   std::size_t most_cameras = SIZE_MAX;  ///< That its program uses at once; further ones are not converted.
   bool begins_with_pair = false;        ///< Its program takes the first two cameras for a stereo pair.
-  bool one_model = false;               ///< All its cameras are of one model.
+  bool matches_along_rows = false;  ///< Its program finds the matches of a pair that is no pair of fisheyes beside each other.
+  bool one_model = false;           ///< All its cameras are of one model.
   bool extrinsics = true;
   bool poses_apart = false;       ///< A file of cameras alone is whole: their poses, if anybody needs them, stand in another.
   bool facts_apart = false;       ///< Poses and IMU noise, which its program uses, stand in a file of another kind.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fca/convert/report.h>
+#include <fca/formats/check.h>
 #include <fca/formats/format.h>
 #include <fca/formats/proof.h>
 #include <fca/formats/set_value.h>
@@ -130,12 +131,13 @@ struct ConvertResult {
   bool lens_given = false;  ///< By an angle or a circle: shares are of the lens.
   std::vector<ConvertedCamera> cameras;
   std::vector<ConvertedFile> files;
-  Message headline;     ///< Mode, who reads it, who does not.
-  std::string mode;     ///< That was written for.
-  std::string layout;   ///< That was chosen because the program understands it best; empty: asked for, or the usual one.
-  Verdict verdict;      ///< Whether to use the files.
-  double rms_px = 0.0;  ///< Of the camera that the program understands worst.
-  double max_px = 0.0;  ///< At the worst pixel of all.
+  Message headline;    ///< Mode, who reads it, who does not.
+  std::string mode;    ///< That was written for.
+  std::string layout;  ///< That was chosen because the program understands it best; empty: asked for, or the usual one.
+  Verdict verdict;     ///< Whether to use the files.
+  std::vector<Finding> findings;     ///< What is wrong with the meaning of the input and of what was written.
+  double rms_px = 0.0;               ///< Of the camera that the program understands worst.
+  double max_px = 0.0;               ///< At the worst pixel of all.
   std::optional<NearerFit> nearer;   ///< Nobody asked for it.
   std::vector<OtherWriting> others;  ///< Ways that were tried and are worse or, if one is asked for, better.
   std::vector<Loss> losses;

@@ -7,6 +7,7 @@
 #include <fca/convert/convert.h>
 #include <fca/diagnostics.h>
 #include <fca/toolkit/files.h>
+#include <fca/toolkit/status.h>
 
 #include <optional>
 #include <string>
@@ -65,19 +66,21 @@ struct EvaluatedPolynomials {
   SignError sign;
 };
 
-struct Evaluation {
-  std::vector<EvaluatedTable> conversions;  ///< Tables 1 and 2.
-  EvaluatedPolynomials polynomials;         ///< Table 3.
+struct EvaluateRequest {
+  /// Of an image as large as those of one of the tables: each row of it tells how alike the image and the one recovered from
+  /// it by that row's conversion are. Each pixel of the recovered one is the original's where the source camera sees the
+  /// converted one's ray (Lanczos, at exactly that place, not rounded to grey levels). Places near the border, whose window
+  /// reaches beyond the image, are left out. With models that agree the two are the same. Empty: no image.
+  std::string image_path;
 };
 
-/// Adds to each row of the tables how alike an image and the one recovered from it by that row's conversion are: each pixel of
-/// the recovered one is the original's where the source camera sees the converted one's ray (Lanczos, at exactly that place,
-/// not rounded to grey levels). Places near the border, whose window reaches beyond the image, are left out. With models that
-/// agree the two are the same. False with an error where there is no such image, or none of that size among the tables.
-[[nodiscard]] bool add_recovered_images(const std::string& path, Evaluation& evaluation, Files& files,
-                                        Diagnostics& diagnostics);
+struct EvaluateResult {
+  Status status = Status::kDone;            ///< Else only the diagnostics are set.
+  std::vector<EvaluatedTable> conversions;  ///< Tables 1 and 2.
+  EvaluatedPolynomials polynomials;         ///< Table 3.
+  Diagnostics diagnostics;
+};
 
-/// Nothing if one of the cameras cannot be converted, which would be a bug.
-[[nodiscard]] std::optional<Evaluation> evaluate(Diagnostics& diagnostics);
+[[nodiscard]] EvaluateResult evaluate(const EvaluateRequest& request, Files& files);
 
 }  // namespace fca

@@ -27,9 +27,6 @@ struct CameraImage {
   std::string path;
 };
 
-/// What four coefficients of an OpenCV file belong to, where the file does not show it.
-enum class OpenCvModel : std::uint8_t { kPinhole, kFisheye };
-
 /// What the numbers of an IMU's noise are, where they are no continuous-time densities.
 enum class NoiseKind : std::uint8_t {
   kContinuous,
@@ -76,8 +73,6 @@ struct Inputs {
 /// As the readers of formats take them.
 [[nodiscard]] ReadOptions read_options(const Inputs& inputs);
 
-/// "pinhole" or "fisheye"; empty without one.
-[[nodiscard]] std::string_view name_of(const std::optional<OpenCvModel>& model);
 /// "continuous", "discrete", "variance", "discrete-variance".
 [[nodiscard]] std::string_view name_of(NoiseKind kind);
 

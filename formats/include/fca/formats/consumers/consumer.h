@@ -5,6 +5,7 @@
 // That independence is their whole worth: a mistake of ours cannot hide in both.
 #pragma once
 
+#include <fca/formats/opencv_model.h>
 #include <fca/message.h>
 
 #include <array>
@@ -92,10 +93,9 @@ struct ConsumerView {
 struct LoadOptions {
   /// ORB-SLAM3's sensor: "mono", "stereo", "rgbd", "mono-inertial", "stereo-inertial", "rgbd-inertial".
   std::string sensor = "mono";
-  /// Which of OpenCV's functions the program calls, "pinhole" (cv::projectPoints) or "fisheye" (cv::fisheye): a caller knows, a
-  /// file with four coefficients need not say. Empty: what the file says (fisheye_model, distortion_type), else pinhole.
-  /// Files with xi are cv::omnidir's in any case.
-  std::string opencv_model = {};
+  /// Which of OpenCV's functions the program calls: a caller knows, a file with four coefficients need not say. Nothing: what
+  /// the file says (fisheye_model, distortion_type), else pinhole. Files with xi are cv::omnidir's in any case.
+  std::optional<OpenCvModel> opencv_model = {};
   /// Of the file, where that decides what its numbers are (cuVSLAM); empty: the name that fits them.
   std::string file_name = {};
   /// Width and height of the image files, in pixels, which some programs take where a file states none; zeros: unknown.
