@@ -16,6 +16,7 @@
 #include <fca/formats/consumers/missing_module.h>
 
 #include <exception>
+#include <new>
 #include <string>
 
 namespace fca::cli {
@@ -49,6 +50,8 @@ int run(std::span<const std::string> words, Streams& streams) {
   } catch (const consumers::MissingModule& error) {
     return fail(ExitCode::kIo,
                 text::text_of(error.facts, with_options) + "; install fca-io again, or allow it more memory (ulimit -v)");
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::kIo, "not enough memory; allow it more (ulimit -v)");
   } catch (const std::exception& error) {
     return fail(ExitCode::kBug, std::string("a bug, please report it: ") + error.what());
   } catch (...) {

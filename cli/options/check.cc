@@ -45,6 +45,7 @@ std::optional<std::string> usage_error(const CheckArguments& arguments) {
     return "--fix shows a diff: --json and --sarif have no use beside it";
   if (arguments.fix && arguments.write && reads_of_standard_input(arguments.files) > 0)
     return "--write cannot write to standard input";
+  if (arguments.quiet && arguments.verbose) return "--quiet and --verbose exclude each other";
   if (arguments.json && arguments.sarif) return "--json and --sarif exclude each other";
   return std::nullopt;
 }
@@ -81,6 +82,7 @@ void add_check_options(Options& options, CheckArguments& arguments) {
   options.group(OptionGroup::kOutput);
   add_json_option(options, arguments.json);
   add_verbose_option(options, "And what was looked at, and what cannot be decided", arguments.verbose);
+  options.flag("-q,--quiet", "Only files that something is wrong with, and one line for all", arguments.quiet);
   options.flag("--sarif", "SARIF 2.1.0 on standard output, for CI services", arguments.sarif);
   options.footer(
       "Exit codes: 0 nothing that --fail-on names; 1 something; 2 no calibration; 3 usage; 4 input/output.\n\n"

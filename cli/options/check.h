@@ -23,6 +23,7 @@ struct CheckArguments {
   bool json = false;
   bool sarif = false;
   bool verbose = false;
+  bool quiet = false;
 };
 
 void add_check_options(Options& options, CheckArguments& arguments);

@@ -57,7 +57,7 @@ void add_convert_options(Options& options, ConvertArguments& arguments) {
   options.flag("--print",
                "Print the cameras as arguments of the program's command line (" +
                    text::enumerated(printed(&Format::program), "or") + "), write no file",
-               arguments.print);
+               arguments.request.as_arguments);
   options.group(OptionGroup::kOutput);
   options.exclusive_flags(
       {{"--provenance", "Say in a comment where the file comes from even in an edited file (fresh ones say it anyway)",
@@ -103,10 +103,10 @@ std::optional<std::string> problem_with(const ConvertArguments& arguments, bool 
   if (request.into.empty() && request.to == nullptr) return "--to FORMAT is missing: " + format_names();
   if (const std::optional<std::string> error = problem_with(request)) return error;
   if (arguments.in_place && arguments.output.is_said()) return "--in-place writes BASE itself; leave out -o";
-  if (arguments.print && (request.to == nullptr || request.to->arguments == nullptr))
+  if (request.as_arguments && (request.to == nullptr || request.to->arguments == nullptr))
     return "--print is for programs that take a camera on their command line: --to " +
            text::enumerated(printed(&Format::id), "or");
-  if (arguments.print && (arguments.output.is_said() || !request.into.empty()))
+  if (request.as_arguments && (arguments.output.is_said() || !request.into.empty()))
     return "--print writes no file: leave out -o and --into";
   if (many && !request.into.empty()) return "--into wants one input, or several that are one rig (--join)";
   constexpr std::string_view kOneRig = "; parts of one calibration go behind --with, cameras of one rig want --join";

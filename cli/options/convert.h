@@ -18,7 +18,6 @@ struct ConvertArguments {
   OutputPlace output;
   bool in_place = false;
   bool one_input = true;  ///< No other one is converted into the same folder.
-  bool print = false;     ///< Arguments of the program's command line, in place of the files.
   bool force = false;
   bool fsync = false;
   bool dry_run = false;

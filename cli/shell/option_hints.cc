@@ -294,6 +294,7 @@ constexpr std::array kHints = {
     OptionHint{Code::kPoseBeyondLimit, text::Part::kText,
                "{0}, more than --strict allows (0.5 deg, and 5 mm or 5 % of the distance)"},
     OptionHint{Code::kFactBeyondLimit, text::Part::kText, "{0}, more than --strict allows (1 ms for times, else 5 %)"},
+    OptionHint{Code::kWhichCamera, text::Part::kFix, "choose one with --camera: {1}"},
     OptionHint{Code::kSeveralCameras, text::Part::kFix, "choose one with --camera"},
     OptionHint{Code::kFileWithoutSize, text::Part::kFix, "say it with --size WxH"},
     OptionHint{Code::kCameraWithoutSize, text::Part::kFix, "--like wants a file that states one"},

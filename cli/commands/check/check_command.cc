@@ -101,8 +101,9 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
     }
     add_parts(result.report.parts, i, files);
     exit_code = worse(exit_code, code_of(result.report, arguments));
+    const bool has_nothing = result.report.findings.empty() && result.report.verdict.word == VerdictWord::kReady;
     all.files.push_back(std::move(result));
-    if (!for_people) continue;
+    if (!for_people || (arguments.quiet && has_nothing)) continue;
     // A file that is no calibration has no result.
     const std::string text = (all.files.size() > 1 ? "\n" : "") + check_text(all.files.back(), arguments.verbose);
     all.files.back().report.is_calibration ? console.say(text, all.files.back().report.verdict.word) : console.say_aside(text);

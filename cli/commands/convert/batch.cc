@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -19,8 +18,6 @@
 namespace fca::cli {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Inputs that are converted together.
 struct Group {
@@ -31,18 +28,11 @@ struct Group {
   bool join = false;  ///< Its files are one rig.
 };
 
-/// The folder of a dataset is called "mav0" in each.
-std::string name_of(const FoundFile& file) {
-  const fs::path path = fs::path(file.path + "/").lexically_normal().parent_path();  // without a slash at the end
-  const bool has_parent = path.filename() == "mav0" && path.has_parent_path();
-  return rig_files_in(file.path).empty() ? file.path : (has_parent ? path.parent_path() : path).string();
-}
-
 std::vector<Group> groups_of(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments) {
   std::vector<Group> groups;
   for (const FoundFile& file : inputs) {
     const bool join = arguments.request.inputs.join;
-    if (groups.empty() || !join) groups.push_back({file.path, name_of(file), {}, file.named, join});
+    if (groups.empty() || !join) groups.push_back({file.path, rig_name(file.path), {}, file.named, join});
     Group& group = groups.back();
     const std::vector<std::string> files = rig_files_in(file.path);
     group.join = group.join || !files.empty();

@@ -69,18 +69,6 @@ void keep_images(const Inputs& inputs, ConvertOutcome& outcome) {
   }
 }
 
-/// The cameras as the program takes them on its command line, in place of the files.
-void print_arguments(ConvertOutcome& outcome) {
-  ConvertedFile printed;
-  for (const ConvertedCamera& camera : outcome.cameras) {
-    if (outcome.cameras.size() > 1) printed.bytes += "# " + camera.name() + "\n";
-    printed.bytes += outcome.to->arguments(camera.target) + "\n";
-    printed.cameras.push_back(camera.source.name);
-  }
-  outcome.files = {std::move(printed)};
-  outcome.headline = {Code::kArgumentsHeadline, {outcome.to->program}};
-}
-
 }  // namespace
 
 ConvertOutcome convert_input(const std::string& input, const ConvertArguments& arguments, const TypedOptions& typed,
@@ -94,7 +82,6 @@ ConvertOutcome convert_input(const std::string& input, const ConvertArguments& a
   };
   ConvertOutcome outcome;
   static_cast<ConvertResult&>(outcome) = convert(request, files);
-  if (arguments.print && !outcome.files.empty()) print_arguments(outcome);
   name_as_written(outcome);
   outcome.input = input;
   keep_images(request.inputs, outcome);

@@ -8,6 +8,7 @@
 
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/toolkit/read.h>
 
 #include <array>
 #include <charconv>
@@ -91,19 +92,10 @@ ExitCode map_lines(const Mapping<In, Out>& mapping, bool as_json, Console& conso
 }
 
 ExitCode run_mapping(const ProjectArguments& arguments, bool forwards, Console& console) {
-  Diagnostics diagnostics;
-  const std::optional<Calibration> calibration = read_calibration(arguments.inputs, console.files(), diagnostics);
-  if (!calibration) return console.refuse(worse(exit_code(status_of(diagnostics)), ExitCode::kBadInput), diagnostics);
-  console.show(diagnostics);
-  const std::vector<Camera>& cameras = calibration->rig.cameras;
-  if (cameras.empty()) return console.refuse(ExitCode::kBadInput, "the file holds no camera");
-  if (cameras.size() > 1) {
-    return console.refuse(ExitCode::kUsage,
-                          "the file holds " + std::to_string(cameras.size()) + " cameras; choose one with --camera");
-  }
-  const CameraModel& model = cameras.front().model;
-  const std::vector<std::string> problems = text::texts_of(validate(model), with_options);
-  if (!problems.empty()) return console.refuse(ExitCode::kBadInput, cameras.front().name + ": " + enumerated(problems));
+  const CameraReading reading = read_camera(arguments.inputs, console.files());
+  if (!reading.camera) return console.refuse(exit_code(reading.status), reading.diagnostics);
+  console.show(reading.diagnostics);
+  const CameraModel& model = reading.camera->model;
   const double limit_rad = arguments.inputs.max_angle_rad.value_or(std::numbers::pi);
   if (forwards) {
     const Mapping<3, 2> to_pixel = [&](const Ray& ray) {

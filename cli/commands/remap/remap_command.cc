@@ -44,12 +44,6 @@ std::string view_model(const RemapResult& result) {
   return result.is_equirectangular ? "equirectangular" : std::string(model_info(result.view.model).id);
 }
 
-/// How COLMAP names the camera of such an image.
-std::string colmap_line(const ImageSize& size) {
-  const std::string numbers = std::to_string(size.width) + " " + std::to_string(size.height);
-  return "  in COLMAP's cameras.txt: 1 EQUIRECTANGULAR " + numbers + " " + numbers + "\n";
-}
-
 std::string view_text(const RemapArguments& arguments, const RemapResult& result) {
   const Camera& view = result.view;
   std::string text = result.source.name + ", " + std::string(model_info(result.source.model).id) + ", " +
@@ -60,7 +54,9 @@ std::string view_text(const RemapArguments& arguments, const RemapResult& result
     text += ", turned by " + degrees(turn->yaw_rad) + "," + degrees(turn->pitch_rad) + "," + degrees(turn->roll_rad) +
             " deg (yaw, pitch, roll)";
   }
-  return text + "\n" + (result.is_equirectangular ? colmap_line(*view.image_size) : parameters_in_words(view.model, "  ")) +
+  return text + "\n" +
+         (result.is_equirectangular ? "  in COLMAP's cameras.txt: " + result.colmap_camera + "\n"
+                                    : parameters_in_words(view.model, "  ")) +
          "  the source sees " + percent(result.seen_share) + " of it\n";
 }
 

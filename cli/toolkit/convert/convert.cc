@@ -229,13 +229,29 @@ bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
   return true;
 }
 
+/// The cameras as the program takes them on its command line.
+void write_arguments(ConvertResult& result) {
+  ConvertedFile printed;
+  for (const ConvertedCamera& camera : result.cameras) {
+    if (result.cameras.size() > 1) printed.bytes += "# " + camera.name() + "\n";
+    printed.bytes += result.to->arguments(camera.target) + "\n";
+    printed.cameras.push_back(camera.source.name);
+  }
+  result.files = {std::move(printed)};
+  result.headline = {Code::kArgumentsHeadline, {result.to->program}};
+}
+
 }  // namespace
 
 ConvertResult convert(const ConvertRequest& request, Files& files) {
   ConvertResult result;
   result.to = request.to;
   result.lens_given = request.inputs.max_angle_rad.has_value() || !request.inputs.lens_circles.empty();
-  if (run(request, files, result)) return result;
+  if (run(request, files, result)) {
+    const bool has_arguments = result.to->arguments != nullptr && !result.files.empty();
+    if (request.as_arguments && has_arguments) write_arguments(result);
+    return result;
+  }
   if (std::optional<Verdict> verdict = verdict_on_mirrors(result)) {
     result.verdict = *std::move(verdict);
     result.status = Status::kRejected;

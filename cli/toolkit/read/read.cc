@@ -128,4 +128,23 @@ bool has_assumed_unit(const PoseEdge& edge, const Calibration& calibration) {
          calibration.poses_without_unit.end();
 }
 
+CameraReading read_camera(const Inputs& inputs, Files& files) {
+  CameraReading result;
+  const std::optional<Calibration> calibration = read_calibration(inputs, files, result.diagnostics);
+  if (calibration) {
+    const std::vector<Camera>& cameras = calibration->rig.cameras;
+    std::vector<std::string> names;
+    for (const Camera& camera : cameras) names.push_back(camera.name);
+    if (cameras.empty()) result.diagnostics.add(Code::kNoCameraInFile);
+    if (cameras.size() > 1) result.diagnostics.add(Code::kWhichCamera, {cameras.size(), names});
+    if (cameras.size() == 1) {
+      for (const Message& problem : validate(cameras.front().model))
+        result.diagnostics.add(Code::kNotACamera, {cameras.front().name, problem});
+      if (!result.diagnostics.has_errors()) result.camera = cameras.front();
+    }
+  }
+  if (!result.camera) result.status = worse(status_of(result.diagnostics), Status::kBadInput);
+  return result;
+}
+
 }  // namespace fca

@@ -71,6 +71,14 @@ std::vector<std::string> rig_files_in(const std::string& folder) {
   return has_camera ? files : std::vector<std::string>();
 }
 
+/// The folder of an EuRoC dataset is called "mav0" in each.
+std::string rig_name(const std::string& path) {
+  if (rig_files_in(path).empty()) return path;
+  const fs::path folder = fs::path(path + "/").lexically_normal().parent_path();  // without a slash at the end
+  const bool has_parent = folder.filename() == "mav0" && folder.has_parent_path();
+  return (has_parent ? folder.parent_path() : folder).string();
+}
+
 std::vector<std::string> model_files_in(const std::string& folder) {
   std::error_code ignored;
   if (folder.empty() || !fs::is_directory(folder, ignored)) return {};

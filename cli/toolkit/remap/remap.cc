@@ -123,6 +123,11 @@ bool make_map(const RemapRequest& request, Files& files, RemapResult& result) {
   if (!view || !sides_are_mapped(*source, result.diagnostics) || !sides_are_mapped(*view, result.diagnostics)) return false;
   result.view = *std::move(view);
   result.is_equirectangular = std::holds_alternative<EquirectangularView>(request.view);
+  if (result.is_equirectangular) {
+    const std::string numbers =
+        std::to_string(result.view.image_size->width) + " " + std::to_string(result.view.image_size->height);
+    result.colmap_camera = "1 EQUIRECTANGULAR " + numbers + " " + numbers;
+  }
   if (request.turn) result.T_source_view = turned(request.turn->yaw_rad, request.turn->pitch_rad, request.turn->roll_rad);
   const std::optional<double>& limit_rad = request.inputs.max_angle_rad;
   const std::optional<ImageMapper> mapper =

@@ -38,6 +38,8 @@ std::span<const CodeInfo> request_codes() {
 
       // remap
       error(Code::kNothingToRemap, "no-camera", "the file holds no camera"),
+      bad_request(Code::kWhichCamera, "unknown-camera", "the file holds {0} cameras; which of them?", "choose one: {1}"),
+      error(Code::kNoCameraInFile, "no-calibration", "the file holds no camera"),
       error(Code::kSeveralCameras, "unknown-camera", "the file holds {0} cameras; whose images are these?",
             "choose one camera"),
       error(Code::kFileWithoutSize, "no-size", "the file states no image size", "state it"),

@@ -1664,6 +1664,8 @@ enum class Code : std::uint16_t {
   kRatioDiffers,
   kNothingToRemap,
   kSeveralCameras,
+  kWhichCamera,
+  kNoCameraInFile,
   kFileWithoutSize,
   kCameraWithoutSize,
   kImagesTooLarge,

@@ -98,6 +98,8 @@ struct ConvertRequest {
   std::vector<KeyValue> settings;       ///< Values of the written file that no calibration states.
   std::optional<double> max_error_px;   ///< kRejected if a camera's largest error is more.
   bool strict = false;                  ///< kRejected if anything of the input is lost.
+  /// The cameras as arguments of the program's command line (Format::arguments), as one file in place of the others.
+  bool as_arguments = false;
   bool verify = true;                   ///< The programs that read the files are asked about their bytes.
   std::vector<Acceptance> accepted;     ///< Reasons against the file that do not stop it.
   ProvenanceComment provenance = ProvenanceComment::kInFreshFiles;

@@ -66,6 +66,9 @@ struct Inputs {
 /// (LeftCameraParams.yaml, ...). Cameras first; empty of any other path.
 [[nodiscard]] std::vector<std::string> rig_files_in(const std::string& folder);
 
+/// What people call the path: of a folder that is one rig the folder that they know it by (mav0's own), else the path.
+[[nodiscard]] std::string rig_name(const std::string& path);
+
 /// The files of a folder that is a COLMAP model, with more than its cameras: that with the cameras, then that with the rigs, if
 /// it is there. Of cameras.bin and cameras.txt it is the one that COLMAP reads. Empty of any other path.
 [[nodiscard]] std::vector<std::string> model_files_in(const std::string& folder);

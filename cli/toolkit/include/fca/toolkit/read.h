@@ -38,6 +38,15 @@ struct Reading {
 
 [[nodiscard]] Reading read(const ReadRequest& request, Files& files);
 
+/// The one camera of a calibration, with numbers that are a camera's.
+struct CameraReading {
+  Status status = Status::kDone;
+  std::optional<Camera> camera;  ///< Nothing where there is none, or several.
+  Diagnostics diagnostics;
+};
+
+[[nodiscard]] CameraReading read_camera(const Inputs& inputs, Files& files);
+
 /// "Kalibr pinhole-equidistant": what a format calls a model, after its program.
 [[nodiscard]] std::string name_in(const Format& format, const StoredModel& row);
 /// The same of all formats.
