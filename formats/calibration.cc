@@ -142,22 +142,29 @@ bool is_second_statement(const Rig& rig, const PoseLoop& loop) {
   return loop.path.size() == 1 && rig.poses[loop.path.front()].a == rig.poses[loop.edge].a;
 }
 
-/// A pose that is stated, and follows from others too: do they agree? Real files print them from one estimate, to 1e-15.
-/// `files`: what states each of them.
-void warn_of_contradictions(const Rig& rig, std::span<const std::string> files, Diagnostics& diagnostics) {
-  for (const PoseLoop& loop : contradictions(rig)) {
-    const double worst = loop.difference.largest_element;
-    const PoseEdge& edge = rig.poses[loop.edge];
-    if (is_second_statement(rig, loop) && files[loop.path.front()] != files[loop.edge]) {
-      const std::size_t i = loop.path.front();
-      diagnostics.add(Code::kPoseInTwoFiles, {edge.a, edge.b, files[loop.edge], worst, files[i]}, {files[i], 0, 0});
-      continue;
-    }
-    diagnostics.add(Code::kPoseContradictsOthers,
-                    {edge.a, edge.b, names_of_path(rig, loop), in_degrees(loop.difference.angle_rad),
-                     in_metres(loop.difference.distance_m)},
-                    {files[loop.edge], 0, 0});
+/// `files`: what states each pose.
+Diagnostic worded(const Contradiction& contradiction, const Rig& rig, std::span<const std::string> files) {
+  const PoseLoop& loop = contradiction.loop;
+  const PoseEdge& edge = rig.poses[loop.edge];
+  const SourceRange where = {files[loop.edge], 0, 0};
+  if (contradiction.mistake != Code::kNone) return {Severity::kWarning, {contradiction.mistake, {name_of(edge)}}, where};
+  if (is_second_statement(rig, loop) && files[loop.path.front()] != files[loop.edge]) {
+    const auto& [first, second] = std::minmax(loop.path.front(), loop.edge);
+    return {Severity::kWarning,
+            {Code::kPoseInTwoFiles, {edge.a, edge.b, files[second], loop.difference.largest_element, files[first]}},
+            {files[first], 0, 0}};
   }
+  return {Severity::kWarning,
+          {Code::kPoseContradictsOthers,
+           {edge.a, edge.b, names_of_path(rig, loop), in_degrees(loop.difference.angle_rad),
+            in_metres(loop.difference.distance_m)}},
+          where};
+}
+
+/// A pose that is stated, and follows from others too: do they agree? Real files print them from one estimate, to 1e-15. The
+/// file can be read, which makes them warnings; how grave they are, checks and verdicts say.
+void warn_of_contradictions(const Rig& rig, std::span<const std::string> files, Diagnostics& diagnostics) {
+  for (const Contradiction& each : contradictions(rig)) diagnostics.add(worded(each, rig, files));
 }
 
 }  // namespace

@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <optional>
 #include <string>
 
@@ -31,12 +30,14 @@ struct Limits {
 constexpr Limits kRmsPx = {0.25, 2.0};
 constexpr Limits kP99Px = {1.0, 5.0};
 constexpr Limits kNoRays = {0.01, 0.5};
-constexpr Limits kPoseRad = {1e-3, 0.5 * std::numbers::pi / 180.0};
-constexpr Limits kPoseM = {1e-3, 1e-2};
 
 VerdictWord word_of(double value, const Limits& limits) {
   if (value <= limits.ready) return VerdictWord::kReady;
   return value <= limits.care ? VerdictWord::kUseWithCare : VerdictWord::kDoNotUse;
+}
+
+VerdictWord word_of(Severity severity) {
+  return severity == Severity::kError ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
 }
 
 VerdictWord worse(VerdictWord a, VerdictWord b) { return std::max(a, b); }
@@ -314,7 +315,7 @@ bool is_measured(const VerdictFacts& facts) {
 /// Is the finding about the pose that was left out, by its name?
 bool is_of_outvoted(const Finding& finding, const VerdictFacts& facts) {
   return facts.outvoted != nullptr && !finding.facts.arguments.empty() &&
-         finding.facts.arguments.front() == Argument(name_of(facts.rig->poses[facts.outvoted->edge]));
+         finding.facts.arguments.front() == Argument(name_of(facts.rig->poses[facts.outvoted->loop.edge]));
 }
 
 /// On which side the second camera stands follows from its pose: where that is wrong, it is no finding.
@@ -336,11 +337,11 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
     const bool counts = about == About::kMeaning || (about == About::kPoses && states_poses(facts)) ||
                         (cannot_be_asked && finding.severity == Severity::kError);
     if (!counts) continue;
-    if (facts.rig != nullptr && same_id(kind, Code::kVerdictPosesContradict)) continue;  // decided by its numbers
+    if (facts.rig != nullptr && reports_contradiction(kind)) continue;  // add_contradictions()
     if (about == About::kPoses && is_of_outvoted(finding, facts)) continue;
     if (is_of_unwritten_pose(finding, facts)) continue;
     if (same_id(kind, Code::kAnyUndistortionInexact) && is_measured(facts)) continue;
-    const VerdictWord word = finding.severity == Severity::kError ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
+    const VerdictWord word = word_of(finding.severity);
     // Lengths that are no metres become wrong ones in a format of metres.
     if (kind == Code::kOpencvUnitsNotStated && is_of_one_camera(facts)) continue;  // of the second one's distance
     const bool is_of_unit = kind == Code::kOpencvUnitsNotStated && facts.to->extrinsics && !facts.to->any_length_unit;
@@ -355,26 +356,28 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   remove_side_of_wrong_pose(reasons);
 }
 
-Message contradiction(const PoseEdge& edge, const PoseDifference& difference, std::vector<Message> decided) {
+Message worded(const Contradiction& contradiction, const Rig& rig, std::vector<Message> decided) {
+  const auto& [edge, path, around, difference] = contradiction.loop;
   return {Code::kVerdictPosesContradict,
-          {edge.a, edge.b, in_degrees(difference.angle_rad), in_metres(difference.distance_m), std::move(decided)}};
+          {rig.poses[edge].a, rig.poses[edge].b, in_degrees(difference.angle_rad), in_metres(difference.distance_m),
+           std::move(decided)}};
 }
 
-/// A pose that was left out counts as decided; all others by how far they are apart.
+/// A pose that was left out counts as decided; all others by how grave they are.
 void add_contradictions(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   if (facts.rig == nullptr || !states_poses(facts)) return;
   if (facts.outvoted != nullptr) {
-    const PoseEdge& edge = facts.rig->poses[facts.outvoted->edge];
-    const Code rule = facts.outvoted->by_order ? Code::kOrderOfThePair : Code::kOthersAgree;
-    const PoseDifference difference = difference_of(edge.T_a_b, facts.outvoted->T_a_b);
-    reasons.push_back({.facts = contradiction(edge, difference, {{rule, {name_of(edge)}}})});
+    const Code rule = facts.outvoted->blame == Blame::kOrderOfPair ? Code::kOrderOfThePair : Code::kOthersAgree;
+    const std::string wrong = name_of(facts.rig->poses[facts.outvoted->loop.edge]);
+    reasons.push_back({.facts = worded(*facts.outvoted, *facts.rig, {{rule, {wrong}}})});
     return;  // without it there is none
   }
-  for (const PoseLoop& loop : contradictions(*facts.rig)) {
-    const PoseEdge& edge = facts.rig->poses[loop.edge];
-    const PoseDifference& difference = loop.difference;
-    const VerdictWord word = worse(word_of(difference.angle_rad, kPoseRad), word_of(difference.distance_m, kPoseM));
-    if (word != VerdictWord::kReady) reasons.push_back({.word = word, .facts = contradiction(edge, difference, {})});
+  for (const Contradiction& each : contradictions(*facts.rig)) {
+    const Message mistake = {each.mistake, {name_of(facts.rig->poses[each.loop.edge])}};
+    if (each.blame != Blame::kNone && is_of_unwritten_pose({.facts = mistake}, facts)) continue;
+    const bool is_explained = each.mistake != Code::kNone;
+    reasons.push_back(
+        {.word = word_of(each.severity), .facts = is_explained ? mistake : worded(each, *facts.rig, {}), .kind = each.mistake});
   }
 }
 

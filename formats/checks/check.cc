@@ -12,6 +12,7 @@
 #include <fca/formats/text/read_document.h>
 #include <fca/formats/verdict.h>
 #include <fca/formats/wording.h>
+#include <fca/rig/contradictions.h>
 
 #include <algorithm>
 #include <array>
@@ -92,8 +93,6 @@ constexpr std::array kTopics = {
     Topic{Code::kCheckedOrbslam3, &check_orbslam3},
 };
 
-/// What the reader reports and a topic says better, or says at its place.
-constexpr Code kSaidByTopics = Code::kAnyPosesContradict;
 /// Why the reader gives up, where the fault is ours: the file may be right.
 constexpr std::array kBeyondUs = {Code::kAnySkew};
 
@@ -124,7 +123,7 @@ std::optional<SpanEdit> mend_of(const Diagnostic& entry, const text::Source& sou
 /// What the reader said. A pose that is only roughly a rotation is a topic's affair, a grossly wrong one the reader's.
 void take_over(const Diagnostics& diagnostics, const text::Source& source, bool topics_follow, Findings& findings) {
   for (const Diagnostic& entry : diagnostics.entries()) {
-    if (topics_follow && same_id(code_of(entry), kSaidByTopics)) continue;
+    if (topics_follow && reports_contradiction(code_of(entry))) continue;  // a topic says it at its place
     if (entry.facts.code == Code::kRotationRough || entry.facts.code == Code::kRotationMirrors) continue;
     const Severity severity = same_id(code_of(entry), kBeyondUs) ? Severity::kWarning : entry.severity;
     findings.add({.severity = severity,

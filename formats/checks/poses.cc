@@ -5,20 +5,15 @@
 #include <fca/code.h>
 #include <fca/formats/text/dialect.h>
 #include <fca/rig/contradictions.h>
-#include <fca/rig/pose_slip.h>
 #include <fca/rig/rotation.h>
 #include <fca/rig/stereo_order.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <set>
 
 namespace fca::checks {
 
 namespace {
-
-constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 // Printed with three digits an element is off by 5e-4, and R^T R by 1e-3; with two by 2e-2.
 constexpr double kPrintedWithThreeDigits = 2e-3;
@@ -47,37 +42,6 @@ void check_rotation(const Subject& subject, std::size_t index, Findings& finding
                std::move(facts), subject.places.pose(index, worst.row, worst.column));
 }
 
-bool close(const Transform& a, const Transform& b) {
-  constexpr double kAngle = 0.5 / kDegreesPerRadian;
-  constexpr double kDistance = 5e-3;
-  return angle_between(a, b) < kAngle && distance_between(a, b) < std::max(kDistance, 0.05 * distance_of(b));
-}
-
-/// But for the digits that were not printed.
-bool same(const Transform& a, const Transform& b) {
-  constexpr double kPrinted = 1e-6;  // rad, m
-  return angle_between(a, b) < kPrinted && distance_between(a, b) < kPrinted;
-}
-
-/// A pose of a contradicting loop, and what follows for it from the others.
-struct Suspect {
-  std::size_t index = 0;
-  Transform around;
-};
-
-/// Every pose of the loops that the others contradict, in the order in which they were read.
-std::vector<Suspect> suspects_in(const Rig& rig, const std::vector<PoseLoop>& loops) {
-  std::vector<Suspect> suspects;
-  for (const std::size_t i : edges_of(loops)) {
-    Rig others;
-    others.poses = rig.poses;
-    others.poses.erase(others.poses.begin() + static_cast<std::ptrdiff_t>(i));
-    const std::optional<Transform> around = others.resolve(rig.poses[i].a, rig.poses[i].b);
-    if (around && difference_of(rig.poses[i].T_a_b, *around).contradicts()) suspects.push_back({i, *around});
-  }
-  return suspects;
-}
-
 /// The row of the translation where a wrong unit shows best.
 int longest_row(const Transform& T) {
   int longest = 0;
@@ -87,133 +51,35 @@ int longest_row(const Transform& T) {
   return longest;
 }
 
-/// For formats that state metres: cars are longer than 5 m, but their cameras and IMUs sit closer together; a vehicle's frame
-/// may be at its other end.
+/// For formats that state metres.
 bool too_far(const Subject& subject, double metres, std::string_view from = {}) {
-  constexpr double kLargeRig = 5.0;
-  constexpr double kLongVehicle = 20.0;
-  const bool vehicle = subject.rig().kind_of(from) == FrameKind::kVehicle;
-  return metres > (vehicle ? kLongVehicle : kLargeRig) && !subject.calibration.format->any_length_unit;
+  return !subject.calibration.format->any_length_unit && is_too_long(metres, from, subject.rig());
 }
 
-/// Translations that are too long for metres, and with which alone in millimetres all poses agree: are named.
-bool name_millimetres(const Subject& subject, Findings& findings) {
-  Rig metric = subject.rig();
-  std::vector<std::size_t> in_mm;
-  for (std::size_t i = 0; i < metric.poses.size(); ++i) {
-    Transform& T = metric.poses[i].T_a_b;
-    if (!too_far(subject, distance_of(T), metric.poses[i].a)) continue;
-    for (int row = 0; row < 3; ++row) T(row, 3) *= 1e-3;
-    in_mm.push_back(i);
+/// With its numbers, or the common mistake that explains them.
+void report(const Subject& subject, const Contradiction& contradiction, Findings& findings) {
+  const auto& [loop, blame, mistake, severity, candidates] = contradiction;
+  const PoseEdge& edge = subject.rig().poses[loop.edge];
+  const bool of_translation = mistake == Code::kPoseInMillimetres || mistake == Code::kPoseInKilometres;
+  const SourceRange where =
+      of_translation ? subject.places.pose(loop.edge, longest_row(edge.T_a_b), 3) : subject.places.pose(loop.edge, 0, 0);
+  if (mistake != Code::kNone) {
+    findings.add(severity, mistake, {name_of(edge)}, where);
+    return;
   }
-  if (in_mm.empty() || in_mm.size() == metric.poses.size()) return false;
-  if (pose_loops(metric).empty() || !contradictions(metric).empty() || contradictions(subject.rig()).empty()) return false;
-  for (const std::size_t i : in_mm) {
-    const PoseEdge& edge = subject.rig().poses[i];
-    findings.add(Code::kPoseInMillimetres, {name_of(edge)}, subject.places.pose(i, longest_row(edge.T_a_b), 3));
-  }
-  return true;
+  findings.add(severity, Code::kPosesContradict,
+               {name_of(edge), in_degrees(loop.difference.angle_rad), in_metres(loop.difference.distance_m)}, where);
 }
 
-/// A slip that explains the contradictions of a pose with the others.
-struct Explanation {
-  Suspect suspect;
-  Code slip = {};
-};
-
-std::optional<Explanation> explained(const PoseEdge& edge, const Suspect& suspect) {
-  for (const PoseSlip& slip : pose_slips()) {
-    const std::optional<Transform> undone = slip.undo(edge.T_a_b);
-    if (!undone) continue;
-    // A small rotation and its transpose are as near as honest statements are, but then none of them is exact.
-    const bool explains = !close(edge.T_a_b, suspect.around) && close(*undone, suspect.around);
-    if (explains || same(*undone, suspect.around)) return Explanation{suspect, slip.code};
-  }
-  return std::nullopt;
-}
-
-Rig without_slip(const Rig& rig, const Explanation& explanation) {
-  Rig meant = rig;
-  meant.poses[explanation.suspect.index].T_a_b = explanation.suspect.around;
-  return meant;
-}
-
-/// Those of the explanations that are `likely`; all where that is none of them.
-template <class Likely>
-std::vector<Explanation> preferred(const std::vector<Explanation>& explanations, const Likely& likely) {
-  std::vector<Explanation> left;
-  std::ranges::copy_if(explanations, std::back_inserter(left), likely);
-  return left.empty() ? explanations : left;
-}
-
-/// Does it leave cameras as far from each other as those of a rig are?
-bool leaves_a_rig(const Explanation& each) {
-  constexpr double kNarrowest = 1e-3;  // m
-  constexpr double kWidest = 5.0;
-  const double metres = distance_of(each.suspect.around);
-  return metres > kNarrowest && metres < kWidest;
-}
-
-void report_slip(const Subject& subject, const Explanation& explanation, Findings& findings) {
-  const std::size_t index = explanation.suspect.index;
-  const PoseEdge& edge = subject.rig().poses[index];
-  const bool of_translation = explanation.slip == Code::kPoseInMillimetres || explanation.slip == Code::kPoseInKilometres;
-  findings.add(explanation.slip, {name_of(edge)},
-               of_translation ? subject.places.pose(index, longest_row(edge.T_a_b), 3) : subject.places.pose(index, 0, 0));
-}
-
-/// Reports the slip of one pose that explains contradictions; `meant` gets the pose that follows from the others.
-/// Where slips of several would, and the order of a stereo pair does not decide, that is an open question.
-bool explain_one(const Subject& subject, const std::vector<PoseLoop>& loops, Rig& meant, Findings& findings) {
-  const std::vector<PoseEdge>& stated = subject.rig().poses;
-  std::vector<Explanation> explanations;
-  for (const Suspect& suspect : suspects_in(meant, loops)) {
-    if (meant.poses[suspect.index] != stated[suspect.index]) continue;  // reported before
-    if (const auto explanation = explained(stated[suspect.index], suspect)) explanations.push_back(*explanation);
-  }
-  explanations = preferred(explanations, leaves_a_rig);
-  explanations = preferred(
-      explanations, [&meant](const Explanation& each) { return !second_left_of_first(without_slip(meant, each)).has_value(); });
-  if (explanations.size() > 1) {
-    std::vector<std::string> names;
-    names.reserve(explanations.size());
-    for (const Explanation& each : explanations) names.push_back(name_of(stated[each.suspect.index]));
-    findings.undecided(Code::kWrongPoseUndecided, {names});
-  }
-  if (explanations.size() != 1) return false;
-  report_slip(subject, explanations.front(), findings);
-  meant = without_slip(meant, explanations.front());
-  return true;
-}
-
-/// The slip of all poses to an IMU: who writes one the wrong way round writes each of them so. Where undoing them all closes
-/// every loop, each is reported.
-bool explain_all_of_imu(const Subject& subject, const std::vector<PoseLoop>& loops, Findings& findings) {
-  const Rig& rig = subject.rig();
-  const auto is_explained = [&rig](const Suspect& each) { return explained(rig.poses[each.index], each).has_value(); };
-  if (std::ranges::any_of(suspects_in(rig, loops), is_explained)) return false;  // one alone is the simpler reason
-  std::vector<std::size_t> of_imu;
-  for (std::size_t i = 0; i < rig.poses.size(); ++i) {
-    const auto is_imu = [&rig](const std::string& frame) { return rig.kind_of(frame) == FrameKind::kImu; };
-    if (is_imu(rig.poses[i].a) || is_imu(rig.poses[i].b)) of_imu.push_back(i);
-  }
-  if (of_imu.size() < 2) return false;
-  for (const PoseSlip& slip : pose_slips()) {
-    Rig meant = rig;
-    const bool undone = std::ranges::all_of(of_imu, [&](std::size_t i) {
-      const std::optional<Transform> T = slip.undo(rig.poses[i].T_a_b);
-      if (T) meant.poses[i].T_a_b = *T;
-      return T.has_value();
-    });
-    const auto is_closed = [](const PoseLoop& loop) {
-      constexpr double kPrinted = 1e-5;  // rad, m
-      return loop.difference.angle_rad < kPrinted && loop.difference.distance_m < kPrinted;
-    };
-    if (!undone || !std::ranges::all_of(pose_loops(meant), is_closed)) continue;
-    for (const std::size_t i : of_imu) report_slip(subject, {{i, meant.poses[i].T_a_b}, slip.code}, findings);
-    return true;
-  }
-  return false;
+/// Which of several poses a mistake was made in, where nothing tells.
+void ask_which(const Subject& subject, const std::vector<Contradiction>& found, Findings& findings) {
+  const auto is_open = [](const Contradiction& each) { return !each.candidates.empty(); };
+  const auto open = std::ranges::find_if(found, is_open);  // of several they are the same
+  if (open == found.end()) return;
+  std::vector<std::string> names;
+  names.reserve(open->candidates.size());
+  for (const std::size_t edge : open->candidates) names.push_back(name_of(subject.rig().poses[edge]));
+  findings.undecided(Code::kWrongPoseUndecided, {names});
 }
 
 /// Millimetres that were read as metres and scaled once more, or an identity that nobody has filled in. Two cameras behind one
@@ -326,12 +192,12 @@ bool check_distances(const Subject& subject, Findings& findings) {
 
 bool check_redundant_poses(const Subject& subject, Findings& findings) {
   const auto& poses = subject.rig().poses;
-  if (!std::ranges::all_of(poses, is_rotation)) {
+  const std::vector<Contradiction> found = contradictions(subject.rig());
+  if (found.empty() && !std::ranges::all_of(poses, is_rotation)) {
     findings.undecided(Code::kAgreementUndecided);
     return false;
   }
   const bool any_redundant = !pose_loops(subject.rig()).empty();
-  std::vector<PoseLoop> loops = contradictions(subject.rig());
   // Above a vehicle's ground the height decides.
   const auto is_identity = [](const PoseEdge& edge) { return edge.T_a_b == Transform{}; };
   if (!any_redundant && !std::ranges::all_of(poses, is_identity) && !subject.is("woodscape")) {
@@ -339,21 +205,8 @@ bool check_redundant_poses(const Subject& subject, Findings& findings) {
     if (poses.size() > 1) others = {{Code::kAndTheOthers}};
     findings.undecided(Code::kDirectionUndecided, {name_of(poses.front()), others});
   }
-  if (!loops.empty() && name_millimetres(subject, findings)) return true;
-  if (!loops.empty() && explain_all_of_imu(subject, loops, findings)) return true;
-  // What one slip explains is no contradiction besides.
-  Rig meant = subject.rig();
-  for (std::size_t slips = 0; slips < poses.size() && !loops.empty() && explain_one(subject, loops, meant, findings); ++slips)
-    loops = contradictions(meant);
-  constexpr double kSmallAngle = 0.5 / kDegreesPerRadian;
-  constexpr double kSmallDistance = 0.01;
-  for (const PoseLoop& loop : loops) {
-    const double angle = loop.difference.angle_rad;
-    const double distance = loop.difference.distance_m;
-    findings.add(angle > kSmallAngle || distance > kSmallDistance ? Severity::kError : Severity::kWarning,
-                 Code::kPosesContradict, {name_of(poses[loop.edge]), in_degrees(angle), in_metres(distance)},
-                 subject.places.pose(loop.edge, 0, 0));
-  }
+  for (const Contradiction& contradiction : found) report(subject, contradiction, findings);
+  ask_which(subject, found, findings);
   return any_redundant;
 }
 

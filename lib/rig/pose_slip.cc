@@ -2,8 +2,11 @@
 #include <fca/rig/pose_slip.h>
 
 #include <fca/code.h>
+#include <fca/rig/rotation.h>
 
+#include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace fca {
 
@@ -30,8 +33,31 @@ constexpr std::array kSlips = {
     PoseSlip{Code::kPoseInKilometres, [](const Transform& T) { return scaled(T, 1e3); }},
 };
 
+bool is_close(const Transform& a, const Transform& b) {
+  constexpr double kAngle = 0.5 * std::numbers::pi / 180.0;
+  constexpr double kDistance = 5e-3;
+  return angle_between(a, b) < kAngle && distance_between(a, b) < std::max(kDistance, 0.05 * distance_of(b));
+}
+
+/// But for the digits that were not printed.
+bool is_same(const Transform& a, const Transform& b) {
+  constexpr double kPrinted = 1e-6;  // rad, m
+  return angle_between(a, b) < kPrinted && distance_between(a, b) < kPrinted;
+}
+
 }  // namespace
 
 std::span<const PoseSlip> pose_slips() { return kSlips; }
+
+Code mistake_in(const Transform& stated, const Transform& meant) {
+  for (const PoseSlip& slip : kSlips) {
+    const std::optional<Transform> undone = slip.undo(stated);
+    if (!undone) continue;
+    // A small rotation and its transpose are as near as honest statements are, but then none of them is exact.
+    const bool explains = !is_close(stated, meant) && is_close(*undone, meant);
+    if (explains || is_same(*undone, meant)) return slip.code;
+  }
+  return Code::kNone;
+}
 
 }  // namespace fca

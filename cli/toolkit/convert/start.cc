@@ -106,14 +106,12 @@ void put_pair_first(const ConvertRequest& request, const Format& to, Calibration
 
 /// Of poses that contradict each other a fresh file gets those that agree, if one alone is wrong.
 void leave_out_outvoted(Start& start, Diagnostics& diagnostics) {
-  start.outvoted = outvoted_pose(start.input.rig);
+  start.outvoted = outvoted_pose(start.rig_of_input);
   if (!start.outvoted) return;
-  start.rig_of_input = start.input.rig;
-  start.input.rig = without_pose(start.outvoted->edge, std::move(start.input.rig));
+  start.input.rig = without_pose(start.outvoted->loop.edge, std::move(start.input.rig));
   Diagnostics others;
   for (const Diagnostic& entry : diagnostics.entries()) {
-    const bool is_of_poses = entry.facts.code == Code::kPoseContradictsOthers || entry.facts.code == Code::kPoseInTwoFiles;
-    if (!is_of_poses) others.add(entry);  // the verdict names the pose and what became of it
+    if (!reports_contradiction(code_of(entry))) others.add(entry);  // the verdict names the pose and what became of it
   }
   diagnostics = std::move(others);
 }
@@ -159,6 +157,7 @@ bool read_start(const ConvertRequest& request, Files& files, Start& start, std::
   }
   add_findings(std::span(result.diagnostics.entries()).subspan(before_choices), start.findings);
   if (request.inputs.cameras && input->documents.size() == 1) drop_findings_of_others(read, input->rig, start.findings);
+  start.rig_of_input = input->rig;
   put_pair_first(request, *result.to, *input);
   start.input = *std::move(input);
   result.from = start.input.format;

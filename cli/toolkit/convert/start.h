@@ -7,7 +7,7 @@
 #include "loaded_views.h"
 
 #include <fca/formats/check.h>
-#include <fca/rig/outvoted_pose.h>
+#include <fca/rig/contradictions.h>
 
 #include <memory>
 #include <optional>
@@ -22,8 +22,8 @@ struct Start {
   Calibration input;
   Base base;                      ///< Points into the two above.
   std::vector<Finding> findings;  ///< About the meaning of the input.
-  Rig rig_of_input;               ///< With the pose that was left out of `input`, if one was.
-  std::optional<OutvotedPose> outvoted;
+  Rig rig_of_input;  ///< Its cameras in the order of the file, and with the pose that was left out of `input`, if one was.
+  std::optional<Contradiction> outvoted;
   std::unique_ptr<KnownConversions> known = std::make_unique<KnownConversions>();
   std::unique_ptr<LoadedViews> views = std::make_unique<LoadedViews>();
 };

@@ -18,4 +18,8 @@ struct PoseSlip {
 
 [[nodiscard]] std::span<const PoseSlip> pose_slips();
 
+/// The code of the one whose undoing makes `meant` of `stated`, within what poses that were estimated apart differ by; kNone:
+/// none does.
+[[nodiscard]] Code mistake_in(const Transform& stated, const Transform& meant);
+
 }  // namespace fca
