@@ -1,52 +1,131 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// show, convert and check find the same contradictions of a rig, and all of them.
+// show, convert and check name the same contradicting poses of a rig, all of them and each once, and weigh them alike.
+#include "cli/message_facts.h"
 #include "cli/run_program.h"
+
+#include <fca/code.h>
+#include <fca/fca.h>
+#include <fca/rig/contradictions.h>
 
 #include <string>
 #include <vector>
 
-#include <rapidjson/document.h>
-
 namespace fca::test {
 namespace {
 
-const std::string kQuad = testdata("checks/poses-contradict-thrice.yaml");
 using Names = std::vector<std::string>;
 
-/// The poses that entries of that code begin with.
-Names blamed(const rapidjson::Value& entries) {
+/// A file and the poses that are wrong, or without blame the last of each loop.
+struct Case {
+  std::string file;
+  Names wrong;
+  Severity severity = Severity::kError;
+  bool is_decided = false;  ///< A rule tells which pose is wrong, and a fresh file does without it.
+};
+
+const std::vector<Case> kCases = {
+    {"poses-contradict-thrice.yaml", {"T_cam1_imu0", "T_cam2_imu0", "T_cam3_imu0"}},
+    {"poses-contradict-no-rotation.yaml", {"T_cam1_imu0"}},
+    {"poses-contradict-slightly.yaml", {"T_cam1_imu0"}, Severity::kWarning},
+    {"pose-inverted-of-pair.yaml", {"T_cam1_cam0"}, Severity::kError, true},
+    {"pose-inverted-to-imu.yaml", {"T_cam1_imu0"}},
+    {"pose-inverted-somewhere.yaml", {"T_cam1_imu0"}},
+};
+
+/// The pose that a message about a contradiction names.
+std::string pose_in(const Message& message) {
+  const bool has_frames = message.code == Code::kPoseContradictsOthers || message.code == Code::kVerdictPosesContradict;
+  const std::string first = argument<std::string>(message, 0);
+  return has_frames ? "T_" + first + "_" + argument<std::string>(message, 1) : first;
+}
+
+VerdictWord word_for(Severity severity) {
+  return severity == Severity::kError ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
+}
+
+/// The poses that diagnostics or findings name.
+template <class Entries>
+Names named_in(const Entries& entries) {
   Names names;
-  for (const rapidjson::Value& entry : entries.GetArray()) {
-    const std::string message = entry["message"].GetString();
-    if (std::string(entry["code"].GetString()) == "poses-contradict") names.push_back(message.substr(0, message.find(' ')));
+  for (const auto& entry : entries) {
+    if (reports_contradiction(code_of(entry))) names.push_back(pose_in(entry.facts));
   }
   return names;
 }
 
-rapidjson::Document json_of(const std::vector<std::string>& arguments) {
-  const RunResult run = run_program(arguments);
-  rapidjson::Document document;
-  document.Parse(run.out.c_str());
-  EXPECT_FALSE(document.HasParseError()) << run.out << run.err;
-  return document;
+/// The poses that a verdict names, each with that word.
+Names named_in(const Verdict& verdict, VerdictWord word) {
+  Names names;
+  for (const Reason& reason : verdict.reasons) {
+    if (!reports_contradiction(reason.facts.code)) continue;
+    names.push_back(pose_in(reason.facts));
+    EXPECT_EQ(reason.word, word) << names.back();
+  }
+  return names;
 }
 
-const Names kAll = {"T_cam1_imu0", "T_cam2_imu0", "T_cam3_imu0"};
-
-TEST(Contradictions, ShowFindsAll) {
-  const rapidjson::Document document = json_of({"show", kQuad, "--json"});
-  EXPECT_EQ(blamed(document["files"][0]["diagnostics"]), kAll);
+Inputs inputs_of(const Case& each) {
+  Inputs inputs;
+  inputs.files = {testdata("checks/" + each.file)};
+  return inputs;
 }
 
-TEST(Contradictions, CheckFindsAll) {
-  const rapidjson::Document document = json_of({"check", kQuad, "--json"});
-  EXPECT_EQ(blamed(document["files"][0]["findings"]), kAll);
+ConvertResult converted(const Case& each, const char* format) {
+  ConvertRequest request;
+  request.inputs = inputs_of(each);
+  request.to = find_format(format);
+  Files files;
+  return convert(request, files);
 }
 
-TEST(Contradictions, ConvertFindsAll) {
-  const TemporaryFolder folder;
-  const rapidjson::Document document = json_of({"convert", kQuad, "--to", "kalibr", "-o", folder / "out.yaml", "--json"});
-  EXPECT_EQ(blamed(document["diagnostics"]), kAll);
+TEST(Contradictions, ShowNamesThem) {
+  for (const Case& each : kCases) {
+    SCOPED_TRACE(each.file);
+    Files files;
+    const Reading reading = read({inputs_of(each), consumers::find_consumer("kalibr")}, files);
+    EXPECT_EQ(named_in(reading.diagnostics.entries()), each.wrong);
+    ASSERT_TRUE(reading.asked);
+    EXPECT_EQ(named_in(reading.asked->modes.front().verdict, word_for(each.severity)), each.wrong);
+  }
+}
+
+TEST(Contradictions, CheckNamesThem) {
+  for (const Case& each : kCases) {
+    SCOPED_TRACE(each.file);
+    const std::string path = testdata("checks/" + each.file);
+    Files files;
+    const CheckResult result = check({inputs_of(each), nullptr, {}}, text::Source{path, read_file(path)}, files);
+    EXPECT_EQ(named_in(result.report.findings), each.wrong);
+    for (const Finding& finding : result.report.findings) {
+      if (reports_contradiction(code_of(finding))) {
+        EXPECT_EQ(finding.severity, each.severity);
+      }
+    }
+    EXPECT_EQ(named_in(result.report.verdict, word_for(each.severity)), each.wrong);
+  }
+}
+
+// An edited file states all that it did.
+TEST(Contradictions, AConversionWithinTheFormatNamesThem) {
+  for (const Case& each : kCases) {
+    SCOPED_TRACE(each.file);
+    const ConvertResult result = converted(each, "kalibr");
+    EXPECT_EQ(named_in(result.diagnostics.entries()), each.wrong);
+    EXPECT_EQ(named_in(result.verdict, word_for(each.severity)), each.wrong);
+  }
+}
+
+// A fresh file does without a pose of which a rule tells that it is wrong: the verdict says so in place of the reader.
+TEST(Contradictions, AConversionToAnotherFormatNamesThem) {
+  for (const Case& each : kCases) {
+    for (const char* format : {"openvins", "basalt"}) {
+      SCOPED_TRACE(each.file + " " + format);
+      const ConvertResult result = converted(each, format);
+      EXPECT_EQ(named_in(result.diagnostics.entries()), each.is_decided ? Names() : each.wrong);
+      const VerdictWord word = each.is_decided ? VerdictWord::kUseWithCare : word_for(each.severity);
+      EXPECT_EQ(named_in(result.verdict, word), each.wrong);
+    }
+  }
 }
 
 }  // namespace
