@@ -94,6 +94,17 @@ auto is_against_order(const Rig& rig) {
   return [&rig](const Suspect& each) { return is_left_of_second(without_pose(each.loop.edge, rig)); };
 }
 
+/// Does the pose itself put the second camera of a pair on the right, and do the others put it on the left? Who takes it for the
+/// wrong one exchanges the cameras.
+auto is_in_usual_order(const Rig& rig) {
+  return [&rig](const Suspect& each) {
+    Rig alone = rig;
+    alone.poses = {rig.poses[each.loop.edge]};
+    return is_left_of_second(alone) && alone.resolve(alone.cameras[0].name, alone.cameras[1].name) &&
+           second_left_of_first(without_pose(each.loop.edge, rig)).has_value();
+  };
+}
+
 bool is_only(const std::vector<Suspect>& suspects, std::size_t edge) {
   return suspects.size() == 1 && suspects.front().loop.edge == edge;
 }
@@ -120,7 +131,12 @@ std::vector<Suspect> accused(const std::vector<Suspect>& suspects, const Rig& ri
   // One wrong pose is a simpler reason than several.
   const std::vector<Suspect> mistaken =
       those(outvoted.empty() ? suspects : outvoted, [](const Suspect& each) { return each.mistake != Code::kNone; });
-  if (!mistaken.empty()) return preferred(preferred(mistaken, leaves_a_rig), is_against_order(rig));
+  if (!mistaken.empty()) {
+    const std::vector<Suspect> likely = preferred(preferred(mistaken, leaves_a_rig), is_against_order(rig));
+    // The mistake says one thing, and the order of the pair another: nothing tells.
+    const bool is_unlikely = likely.size() == 1 && is_in_usual_order(rig)(likely.front());
+    return is_unlikely ? std::vector<Suspect>() : likely;
+  }
   std::vector<Suspect> by_order = those(outvoted, is_against_order(rig));
   return by_order.size() == 1 ? by_order : std::vector<Suspect>();
 }
@@ -178,14 +194,16 @@ std::vector<Contradiction> in_millimetres(const Rig& rig, const std::vector<Susp
 }
 
 /// The mistake of all poses to an IMU: who writes one the wrong way round writes each of them so. One alone is the simpler
-/// reason.
+/// reason, but where that exchanges the cameras of a pair.
 std::vector<Contradiction> in_all_of_imu(const Rig& rig, const std::vector<Suspect>& suspects) {
   std::vector<std::size_t> edges;
   const auto is_imu = [&rig](const std::string& frame) { return rig.kind_of(frame) == FrameKind::kImu; };
   for (std::size_t i = 0; i < rig.poses.size(); ++i) {
     if (is_imu(rig.poses[i].a) || is_imu(rig.poses[i].b)) edges.push_back(i);
   }
-  const auto is_explained = [](const Suspect& suspect) { return suspect.mistake != Code::kNone; };
+  const auto is_explained = [keeps_order = is_in_usual_order(rig)](const Suspect& suspect) {
+    return suspect.mistake != Code::kNone && !keeps_order(suspect);
+  };
   if (edges.size() < 2 || std::ranges::any_of(suspects, is_explained)) return {};
   const auto is_closed = [](const PoseLoop& loop) {
     constexpr double kPrinted = 1e-5;  // rad, m

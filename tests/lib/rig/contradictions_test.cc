@@ -186,6 +186,37 @@ TEST(Contradictions, AllPosesToAnImuMayBeInverted) {
   EXPECT_FALSE(outvoted_pose(rig)) << "no single one is";
 }
 
+/// The transform of a camera at the right whose axes are nearly the first one's.
+Transform turned_beside() {
+  return {{0.99995, 0.0, 0.01, -0.11, 0.0, 1.0, 0.0, 0.001, -0.01, 0.0, 0.99995, 0.0005, 0.0, 0.0, 0.0, 1.0}};
+}
+
+// Inverting the pose between the cameras would close the loop, too, and put the right camera on the left.
+TEST(Contradictions, AllPosesToAnImuAreWrongRatherThanTheOrderOfThePair) {
+  Rig rig = row_of(2);
+  const Transform T_cam0_imu0 = shifted(0.02);
+  rig.poses[place_of(rig, "T_cam1_cam0")].T_a_b = turned_beside();
+  rig.poses[place_of(rig, "T_cam0_imu0")].T_a_b = *inverse(T_cam0_imu0);
+  rig.poses[place_of(rig, "T_cam1_imu0")].T_a_b = *inverse(turned_beside() * T_cam0_imu0);
+  const std::vector<Contradiction> found = contradictions(rig);
+  ASSERT_EQ(found.size(), 2U);
+  for (const Contradiction& each : found) {
+    EXPECT_EQ(each.mistake, Code::kPoseHoldsInverse);
+    EXPECT_EQ(rig.poses[each.loop.edge].b, "imu0");
+  }
+}
+
+// The poses to the IMU say left, the pose between the cameras says right: a mistake and the order disagree.
+TEST(Contradictions, AMistakeAgainstTheOrderOfThePairBlamesNone) {
+  Rig rig = row_of(2);
+  rig.poses[place_of(rig, "T_cam1_cam0")].T_a_b = turned_beside();
+  rig.poses[place_of(rig, "T_cam0_imu0")].T_a_b = shifted(0.02, 0.3);
+  rig.poses[place_of(rig, "T_cam1_imu0")].T_a_b = *inverse(turned_beside()) * shifted(0.02, 0.3);
+  const std::vector<Contradiction> found = contradictions(rig);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found.front().blame, Blame::kNone);
+}
+
 // Nobody knows in which of several a mistake was made, where each alone would explain as much.
 TEST(Contradictions, TheCandidatesAreNamedWhereMistakesOfSeveralWouldDo) {
   Rig rig = turned_row_of(6);
