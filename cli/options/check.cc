@@ -56,6 +56,7 @@ void add_check_options(Options& options, CheckArguments& arguments) {
   CheckRequest& request = arguments.request;
   options.positional("FILE", "Calibration file(s) or folders; '-' is standard input", arguments.files, false);
   add_input_options(options, request.inputs);
+  add_imu_rate_option(options, request.inputs);
   add_join_option(options, request.inputs);
   // Refused: a file is looked at as it stands.
   options.hide(all_changes());

@@ -27,6 +27,7 @@ void add_compare_options(Options& options, CompareArguments& arguments) {
   options.positional("FILE", "Calibration file(s) to lay beside it, each by itself", request.files);
   add_input_options(options, request.reference);
   add_lens_circle_option(options, request.reference);
+  add_imu_rate_option(options, request.reference);
   add_join_option(options, request.reference);
   options.hide({"--join"});  // refused: not worth a line of the help
   options.each("--with-file", "FILE", "A further part of FILE, as --with is one of REF; may be given several times",

@@ -147,7 +147,7 @@ void add_join_option(Options& options, Inputs& inputs) {
   options.flag("--join", "All inputs are the cameras of one rig, in the order given", inputs.join);
 }
 
-void add_imu_option(Options& options, Inputs& inputs) {
+void add_imu_rate_option(Options& options, Inputs& inputs) {
   options.group(OptionGroup::kReading);
   options.number("--imu-rate", "HZ", "The IMU's rate, of an input that does not state it (VINS-Fusion's configuration)",
                  [&inputs](double rate_hz) -> std::optional<std::string> {
@@ -158,6 +158,10 @@ void add_imu_option(Options& options, Inputs& inputs) {
                    inputs.imu_rate_hz = rate_hz;
                    return std::nullopt;
                  });
+}
+
+void add_imu_option(Options& options, Inputs& inputs) {
+  add_imu_rate_option(options, inputs);
   options.value("--imu-noise", "KIND",
                 "What the input's IMU noise is: continuous (densities, the default), discrete (standard deviations of single "
                 "samples, converted with the rate), variance or discrete-variance (squares of those)",

@@ -23,6 +23,8 @@ void add_join_option(Options& options, Inputs& inputs);
 
 /// --imu-noise, for commands that say or write what an IMU is like.
 void add_imu_option(Options& options, Inputs& inputs);
+/// --imu-rate alone.
+void add_imu_rate_option(Options& options, Inputs& inputs);
 
 /// Those of these options that were given and make something else of a file than it is: "--camera", "--crop".
 [[nodiscard]] std::vector<std::string> given_changes(const Inputs& inputs);
