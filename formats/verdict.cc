@@ -280,22 +280,34 @@ void add_strange_pair(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   }
 }
 
-/// A pair of planes, one camera above the other, for a program that looks for matches along rows.
+/// The model of a camera as the program reads it; of a file that was not asked about, as the rig has it.
+std::string_view model_read(const std::string& camera, const VerdictFacts& facts) {
+  for (const ProofResult& proof : facts.proofs) {
+    const auto read = std::ranges::find(proof.cameras, camera, &CameraProof::name);
+    if (read == proof.cameras.end()) continue;
+    const auto stored = std::ranges::find(facts.to->models, std::string_view(read->model), &StoredModel::file_name);
+    if (stored != facts.to->models.end()) return stored->model;
+  }
+  return model_info(facts.rig->find_camera(camera)->model).id;
+}
+
+/// A stereo pair, one camera above the other, for a program that looks for matches along rows.
 void add_vertical_pair(const VerdictFacts& facts, std::vector<Reason>& reasons) {
-  if (facts.rig == nullptr || !facts.mode.starts_with("stereo") || !facts.to->matches_along_rows) return;
-  const auto is_fisheye = [&facts](const CameraProof& camera) {  // as it is written
-    const StoredModel* stored = find_stored_model(*facts.to, "kb4", true);
-    return stored != nullptr && camera.model == stored->file_name;
-  };
-  if (facts.proofs.empty() || std::ranges::any_of(facts.proofs.front().cameras, is_fisheye)) return;
-  const std::vector<Camera>& cameras = facts.rig->cameras;
-  const std::optional<double> below = second_below_first(*facts.rig);
-  if (!below) return;
-  constexpr double kCmPerM = 100.0;
-  reasons.push_back(
-      {.word = VerdictWord::kDoNotUse,
-       .facts = {Code::kOrbslam3PairVertical,
-                 {cameras[1].name, kCmPerM * std::abs(*below), *below > 0.0 ? "below" : "above", cameras[0].name}}});
+  if (facts.rig == nullptr || !facts.mode.starts_with("stereo") || facts.to->matches_along_rows == nullptr) return;
+  for (const std::vector<std::string>& cameras : cameras_of_files(facts)) {
+    if (cameras.size() < 2) continue;
+    const Camera* first = facts.rig->find_camera(cameras[0]);
+    const Camera* second = facts.rig->find_camera(cameras[1]);
+    if (first == nullptr || second == nullptr) continue;
+    Rig pair = *facts.rig;
+    pair.cameras = {*first, *second};
+    const std::optional<double> below = second_below_first(pair);
+    if (!below || !facts.to->matches_along_rows(model_read(first->name, facts))) continue;
+    constexpr double kCmPerM = 100.0;
+    reasons.push_back({.word = VerdictWord::kDoNotUse,
+                       .facts = {Code::kOrbslam3PairVertical,
+                                 {second->name, kCmPerM * std::abs(*below), *below > 0.0 ? "below" : "above", first->name}}});
+  }
 }
 
 bool is_of_one_camera(const VerdictFacts& facts) { return facts.files.size() == 1 && facts.files.front().size() == 1; }
@@ -340,7 +352,7 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
     if (facts.rig != nullptr && reports_contradiction(kind)) continue;  // add_contradictions()
     if (about == About::kPoses && is_of_outvoted(finding, facts)) continue;
     if (is_of_unwritten_pose(finding, facts)) continue;
-    if (same_id(kind, Code::kAnyUndistortionInexact) && is_measured(facts)) continue;
+    if (same_id(kind, Code::kAnyUndistortionInexact) && (is_measured(facts) || !facts.to->undistorts_points)) continue;
     const VerdictWord word = word_of(finding.severity);
     // Lengths that are no metres become wrong ones in a format of metres.
     if (kind == Code::kOpencvUnitsNotStated && is_of_one_camera(facts)) continue;  // of the second one's distance

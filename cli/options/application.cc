@@ -20,6 +20,26 @@
 
 namespace fca::cli {
 
+namespace {
+
+/// What other programs call the same: `diff A B`, `help convert`, `version`.
+void replace_aliases(std::vector<std::string>& words) {
+  if (words.empty()) return;
+  if (words.front() == "help" && words.size() > 1) words = {words[1], "--help"};
+  std::string& first = words.front();
+  if (first == "diff") {
+    first = "compare";
+  } else if (first == "undistort") {
+    first = "remap";
+  } else if (first == "version") {
+    first = "--version";
+  } else if (first == "help") {
+    first = "--help";
+  }
+}
+
+}  // namespace
+
 struct Application::Parser {
   CLI::App app{
       "fca-io makes camera calibration files interoperable: reads them, says what they mean, converts them to other formats\n"
@@ -47,11 +67,13 @@ struct Application::Parser {
   /// What shells and the build ask for: `complete WORD...` says what may stand in place of the last word, one a line, then
   /// ":files" where that may be a path; `manual [COMMAND]` is a manual page.
   std::optional<std::string> answer(std::span<const std::string> words) {
-    if (words.empty()) return std::nullopt;
-    const std::span<const std::string> further = words.subspan(1);
+    const bool is_manual = !words.empty() && words.front() == "manual";
+    if (!is_manual && (words.empty() || words.front() != "complete")) return std::nullopt;
+    std::vector<std::string> further(words.begin() + 1, words.end());
+    if (further.size() > 1) replace_aliases(further);
     CLI::App* const command = further.empty() ? nullptr : defined(further.front());
-    if (words.front() == "manual") return manual_page(app, command);
-    if (words.front() != "complete") return std::nullopt;
+    if (is_manual && (command != nullptr || further.empty()) && further.size() < 2) return manual_page(app, command);
+    if (is_manual) return std::nullopt;
     const Completion completion = completion_of(app, command, further);
     std::string text;
     for (const std::string& word : completion.words) text += word + "\n";
@@ -114,22 +136,6 @@ bool ask_for_json(const std::vector<std::string>& words) {
 bool is_path(const std::string& word) {
   return is_standard_input(word) || word.find_first_of("./") != std::string::npos ||
          CLI::detail::check_path(word.c_str()) != CLI::detail::path_type::nonexistent;
-}
-
-/// What other programs call the same: `diff A B`, `help convert`, `version`.
-void replace_aliases(std::vector<std::string>& words) {
-  if (words.empty()) return;
-  if (words.front() == "help" && words.size() > 1) words = {words[1], "--help"};
-  std::string& first = words.front();
-  if (first == "diff") {
-    first = "compare";
-  } else if (first == "undistort") {
-    first = "remap";
-  } else if (first == "version") {
-    first = "--version";
-  } else if (first == "help") {
-    first = "--help";
-  }
 }
 
 /// Of the first option that there is not: which was meant; nothing where none is near, or all are there.

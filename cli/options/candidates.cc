@@ -3,6 +3,7 @@
 
 #include <fca/code.h>
 #include <fca/formats/format.h>
+#include <fca/formats/program_names.h>
 #include <fca/models/camera_model.h>
 #include <fca/toolkit/programs.h>
 #include <fca/toolkit/read.h>
@@ -22,7 +23,16 @@ using Values = std::vector<std::string>;
 Values formats(Words /*words*/) {
   Values ids;
   for (const Format& format : all_formats()) ids.emplace_back(format.id);
+  for (const ProgramName& name : all_program_names()) {
+    if (name.is_served() && std::ranges::find(ids, name.names.front()) == ids.end()) ids.emplace_back(name.names.front());
+  }
   return ids;
+}
+
+Values layouts(Words /*words*/) {
+  Values names;
+  for (const Format& format : all_formats()) names.insert(names.end(), format.layouts.begin(), format.layouts.end());
+  return names;
 }
 
 Values models(Words /*words*/) {
@@ -40,9 +50,11 @@ Values modes(Words /*words*/) {
 }
 
 Values codes(Words /*words*/) {
-  Values ids;
-  for (const CodeInfo& code : check_codes()) ids.emplace_back(code.id);
-  return ids;
+  std::set<std::string> ids;
+  for (const CodeInfo& code : all_codes()) {
+    if (!code.id.empty()) ids.emplace(code.id);
+  }
+  return {ids.begin(), ids.end()};
 }
 
 /// Of the first of the words that is a calibration file.
@@ -67,8 +79,14 @@ struct Row {
   Values (*values)(Words words);
 };
 
-constexpr std::array kRows = {Row{"FORMAT", formats}, Row{"MODEL", models},        Row{"PROGRAM", programs}, Row{"MODE", modes},
-                              Row{"CODE", codes},     Row{"CODE[:CAMERA]", codes}, Row{"LIST", cameras}};
+constexpr std::array kRows = {Row{"FORMAT", formats}, Row{"MODEL", models},  Row{"PROGRAM", programs},
+                              Row{"MODE", modes},     Row{"CODE", codes},    Row{"CODE[:CAMERA]", codes},
+                              Row{"LIST", cameras},   Row{"LAYOUT", layouts}};
+
+/// A word as it is typed; capitals stand for another.
+bool is_literal(std::string_view word) {
+  return std::ranges::none_of(word, [](char c) { return c >= 'A' && c <= 'Z'; });
+}
 
 }  // namespace
 
@@ -76,11 +94,12 @@ std::vector<std::string> candidates(std::string_view type, std::span<const std::
   const auto* const row = std::ranges::find(kRows, type, &Row::type);
   if (row != kRows.end()) return row->values(words);
   Values values;
-  while (type.find('|') != std::string_view::npos || !values.empty()) {  // "rms|max"
-    const std::size_t end = std::min(type.find('|'), type.size());
-    values.emplace_back(type.substr(0, end));
-    if (end == type.size()) break;
-    type.remove_prefix(end + 1);
+  if (type.find('|') == std::string_view::npos) return values;
+  while (!type.empty()) {  // "rms|max", "MODEL|all"
+    const std::string_view word = type.substr(0, type.find('|'));
+    type.remove_prefix(std::min(word.size() + 1, type.size()));
+    const Values meant = is_literal(word) ? Values{std::string(word)} : candidates(word, words);
+    values.insert(values.end(), meant.begin(), meant.end());
   }
   return values;
 }

@@ -72,7 +72,7 @@ void add_check_options(Options& options, CheckArguments& arguments) {
   options.group(OptionGroup::kProof);
   options.each("--ignore", "CODE", "Leave findings of that code out; may be given several times",
                [&request](const std::string& word) { return take_ignored(word, request.ignored); });
-  options.value("--fail-on", "SEVERITY", "Exit with 1 from this severity on: error (default) or warning",
+  options.value("--fail-on", "error|warning", "Exit with 1 from this severity on: error (default) or warning",
                 [&arguments](const std::string& word) { return take_severity(word, arguments.fail_on_warnings); });
   options.group(OptionGroup::kTarget);
   options.flag("--fix",

@@ -50,13 +50,21 @@ Completion completion_of(const CLI::App& app, const CLI::App* command, std::span
   if (words.empty()) return {};
   const std::string& begun = words.back();
   const CLI::App& typed = command != nullptr ? *command : app;
-  const CLI::Option* option = words.size() > 1 ? with_value(typed, words[words.size() - 2]) : nullptr;
+  // bash has words of their own of "--to=orb".
+  const bool is_joined = words.size() > 2 && words[words.size() - 2] == "=";
+  const std::size_t before = words.size() - (is_joined ? 3 : 2);
+  const CLI::Option* option = words.size() > 1 ? with_value(typed, words[before]) : nullptr;
   if (option != nullptr) {
     const std::string type = option->get_type_name();
     return {beginning_with(begun, candidates(type, words.first(words.size() - 1))), is_path_type(type)};
   }
   if (begun.starts_with('-')) return {beginning_with(begun, option_names(typed)), false};
-  if (words.size() == 1) return {beginning_with(begun, command_names(app)), true};
+  if (words.size() == 1) {
+    std::vector<std::string> names = command_names(app);
+    names.insert(names.end(), {"diff", "help", "undistort", "version"});
+    return {beginning_with(begun, names), true};
+  }
+  if (words.front() == "help") return {beginning_with(begun, command_names(app)), false};
   return {{}, true};
 }
 

@@ -116,7 +116,7 @@ void add_input_options(Options& options, Inputs& inputs) {
                        });
   options.value("--resize", "WxH", "The images are the calibrated ones, scaled to this size",
                 [&inputs](const std::string& word) { return take_size("--resize", word, inputs.change.resize); });
-  options.value("--opencv-model", "MODEL", "pinhole or fisheye, for OpenCV files whose four coefficients could be either",
+  options.value("--opencv-model", "pinhole|fisheye", "For OpenCV files whose four coefficients could be either",
                 [&inputs](const std::string& word) { return take_opencv_model(word, inputs.opencv_model); });
   options.group(OptionGroup::kLens);
   options.number("--max-angle", "DEG", "What counts as lens, in degrees from the axis (default: the whole image)",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What is installed beside the libraries (manual pages, completions), and `cmake --build ... --target package`: Debian packages.
+# What is installed with the command (manual pages, completions), and `cmake --build ... --target package`: Debian packages.
 set(FCA_MANUALS ${PROJECT_BINARY_DIR}/cli/man1)
 add_custom_command(OUTPUT ${FCA_MANUALS}/fca-io.1.gz
   COMMAND ${CMAKE_COMMAND} -DFCA_IO=$<TARGET_FILE:fca-io> -DFOLDER=${FCA_MANUALS} -P ${CMAKE_CURRENT_LIST_DIR}/manuals.cmake
@@ -7,11 +7,11 @@ add_custom_command(OUTPUT ${FCA_MANUALS}/fca-io.1.gz
 add_custom_target(fca-manuals ALL DEPENDS ${FCA_MANUALS}/fca-io.1.gz)
 install(DIRECTORY ${FCA_MANUALS}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command)
 
-set(shells ${PROJECT_SOURCE_DIR}/cli/shells)
-install(FILES ${shells}/fca-io.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME fca-io
+set(completions ${PROJECT_SOURCE_DIR}/cli/completions)
+install(FILES ${completions}/fca-io.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME fca-io
   COMPONENT command)
-install(FILES ${shells}/_fca-io DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT command)
-install(FILES ${shells}/fca-io.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT command)
+install(FILES ${completions}/_fca-io DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT command)
+install(FILES ${completions}/fca-io.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT command)
 
 # fca_package(COMPONENT NAME SECTION SUMMARY TEXT [DEPENDS ...]): one Debian package of that component, with its licence and
 # changelog.
@@ -33,6 +33,7 @@ function(fca_package component name section summary text)
   set(FCA_COMPONENTS ${FCA_COMPONENTS} PARENT_SCOPE)
 endfunction()
 
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md)
 execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md OUTPUT_FILE ${PROJECT_BINARY_DIR}/cli/changelog.gz
   COMMAND_ERROR_IS_FATAL ANY)
 
@@ -45,7 +46,7 @@ fca_package(images fca-io-images science "images for fca-io"
   DEPENDS "${own}")
 fca_package(dev libfca-dev libdevel "camera calibration library (development files)"
   "Static libraries, headers and the CMake package of fca-io: camera models, fits\nwith proven bounds, the formats, and all that the command does as functions.\nThere is no promise about the binary interface before 1.0."
-  DEPENDS "libceres-dev, libeigen3-dev, libfmt-dev, libmd-dev, libtinyxml2-dev, libyaml-cpp-dev, rapidjson-dev")
+  DEPENDS "libceres-dev, libeigen3-dev, libfmt-dev, libmd-dev, libopencv-dev, libtinyxml2-dev, libyaml-cpp-dev, rapidjson-dev")
 if(TARGET fca-python)
   fca_package(python python3-fca-io python "camera calibration files in Python"
     "The package fca_io: reads, checks, fits and converts camera calibrations;\nprojects arrays of points by any of the models."
@@ -56,7 +57,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME fca-io)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
-set(CPACK_PACKAGE_CONTACT "The fca-io developers <fca-io@example.org>")
+set(CPACK_PACKAGE_CONTACT "The fca-io authors <fca-io@example.org>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL ${FCA_COMPONENTS})

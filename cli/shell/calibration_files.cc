@@ -36,6 +36,17 @@ bool is_rig(const fs::path& folder) {
   return !rig_files_in(folder.string()).empty() || !model_files_in(folder.string()).empty();
 }
 
+/// Is the folder of a dataset, which holds its rig in a folder of its own, not alone with it?
+bool holds_others(const fs::path& folder, WantedExtension wanted) {
+  if (!is_rig(folder / "mav0")) return false;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
+    std::error_code ignored;
+    if (at->is_regular_file(ignored) && wanted(at->path().extension().string())) return true;
+  }
+  return false;
+}
+
 /// Errors of single entries (no permission, gone meanwhile) leave those out.
 void walk_folder(const fs::path& folder, WantedExtension wanted, bool whole_rigs, std::vector<std::string>& files) {
   std::error_code error;
@@ -46,7 +57,7 @@ void walk_folder(const fs::path& folder, WantedExtension wanted, bool whole_rigs
       continue;
     }
     std::error_code ignored;
-    if (whole_rigs && at->is_directory(ignored) && is_rig(at->path())) {
+    if (whole_rigs && at->is_directory(ignored) && is_rig(at->path()) && !holds_others(at->path(), wanted)) {
       files.push_back(at->path().string());
       at.disable_recursion_pending();
     }
@@ -72,7 +83,8 @@ std::vector<FoundFile> walk(const std::vector<std::string>& paths, WantedExtensi
   };
   for (const FoundFile& each : resolved) {
     std::error_code error;
-    if (is_standard_input(each.path) || !fs::is_directory(each.path, error) || (whole_rigs && is_rig(each.path))) {
+    if (is_standard_input(each.path) || !fs::is_directory(each.path, error) ||
+        (whole_rigs && is_rig(each.path) && !holds_others(each.path, wanted))) {
       add(each);
       continue;
     }

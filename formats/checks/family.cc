@@ -25,9 +25,9 @@ double value(const Camera& camera, ParameterId id) { return parameter(camera.mod
 void check_tangential(const Subject& subject, const Camera& camera, Findings& findings) {
   constexpr double kLargest = 0.02;
   constexpr double kLargestOfFisheye = 0.3;  // k1 and k2
+  const std::optional<double> k3 = parameter(camera.model, "k3");
   const bool may_be_fisheye = std::abs(value(camera, "k1")) <= kLargestOfFisheye &&
-                              std::abs(value(camera, "k2")) <= kLargestOfFisheye &&
-                              parameter(camera.model, "k3").value_or(0.0) == 0.0;
+                              std::abs(value(camera, "k2")) <= kLargestOfFisheye && (!k3 || *k3 == 0.0);
   const Code code = may_be_fisheye ? Code::kTangentialTooLarge : Code::kTangentialOfNoLens;
   for (const ParameterId id : ParameterIds{"p1", "p2"}) {
     if (std::abs(value(camera, id)) <= kLargest) continue;

@@ -58,7 +58,9 @@ bool too_far(const Subject& subject, double metres, std::string_view from = {}) 
 
 /// With its numbers, or the common mistake that explains them.
 void report(const Subject& subject, const Contradiction& contradiction, Findings& findings) {
-  const auto& [loop, blame, mistake, severity, candidates] = contradiction;
+  const PoseLoop& loop = contradiction.loop;
+  const Code mistake = contradiction.mistake;
+  const Severity severity = contradiction.severity;
   const PoseEdge& edge = subject.rig().poses[loop.edge];
   const bool of_translation = mistake == Code::kPoseInMillimetres || mistake == Code::kPoseInKilometres;
   const SourceRange where =
@@ -71,14 +73,20 @@ void report(const Subject& subject, const Contradiction& contradiction, Findings
                {name_of(edge), in_degrees(loop.difference.angle_rad), in_metres(loop.difference.distance_m)}, where);
 }
 
-/// Which of several poses a mistake was made in, where nothing tells.
+/// Which of several poses is wrong, where nothing tells: those that a mistake would explain, else all of the loop.
 void ask_which(const Subject& subject, const std::vector<Contradiction>& found, Findings& findings) {
-  const auto is_open = [](const Contradiction& each) { return !each.candidates.empty(); };
+  const auto is_open = [](const Contradiction& each) { return each.blame == Blame::kNone; };
   const auto open = std::ranges::find_if(found, is_open);  // of several they are the same
   if (open == found.end()) return;
+  std::vector<std::size_t> edges = open->candidates;
+  if (edges.empty()) {
+    edges = open->loop.path;
+    edges.push_back(open->loop.edge);
+    std::ranges::sort(edges);
+  }
   std::vector<std::string> names;
-  names.reserve(open->candidates.size());
-  for (const std::size_t edge : open->candidates) names.push_back(name_of(subject.rig().poses[edge]));
+  names.reserve(edges.size());
+  for (const std::size_t edge : edges) names.push_back(name_of(subject.rig().poses[edge]));
   findings.undecided(Code::kWrongPoseUndecided, {names});
 }
 

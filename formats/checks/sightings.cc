@@ -8,8 +8,42 @@ namespace fca {
 
 namespace {
 
+// Where a program refuses or misreads a file, no alarm is false: its reader was asked.
 constexpr std::array kSightings = {
-    Sighting{"baseline-contradicts", 0, 0},
+    Sighting{"baseline-contradicts", 5, 0},
+    Sighting{"carla-translation", 4, 0},
+    Sighting{"centre-off", 1, 0},
+    Sighting{"depth-threshold", 1, 0},
+    Sighting{"distortion-missing", 5, 0},
+    Sighting{"duplicate-key", 3, 0},
+    Sighting{"eucm-without-type", 7, 0},
+    Sighting{"focal-length-not-in-pixels", 1, 0},
+    Sighting{"focal-lengths-differ", 11, 6},
+    Sighting{"folds-inside-image", 20, 0},
+    Sighting{"imu-noise-too-large", 7, 3},
+    Sighting{"imu-sensors-swapped", 7, 0},
+    Sighting{"int-for-real", 1, 0},
+    Sighting{"key-assumed", 1, 0},
+    Sighting{"key-misspelt", 2, 0},
+    Sighting{"matlab-origin", 1, 0},
+    Sighting{"matrix-corner", 2, 0},
+    Sighting{"merge-conflict", 1, 0},
+    Sighting{"missing-key", 8, 0},
+    Sighting{"mode-refused", 2, 0},
+    Sighting{"not-a-rotation", 3, 0},
+    Sighting{"opencv-header", 3, 0},
+    Sighting{"poses-contradict", 1, 0},
+    Sighting{"program-finds-no-camera", 6, 0},
+    Sighting{"program-ignores", 2, 0},
+    Sighting{"program-misreads", 28, 0},
+    Sighting{"program-refuses", 47, 0},
+    Sighting{"real-for-int", 1, 0},
+    Sighting{"skew", 1, 0},
+    Sighting{"tangential-too-large", 8, 0},
+    Sighting{"undistortion-inexact", 9, 0},
+    Sighting{"units-not-stated", 5, 0},
+    Sighting{"unknown-model", 2, 0},
+    Sighting{"yaml-key", 1, 0},
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// cv::undistortPoints, which OpenCV's users, ORB-SLAM, VINS and OpenVINS call, makes five steps of an iteration and stops: near
+// cv::undistortPoints, which OpenCV's users, ORB-SLAM, ROS and OpenVINS call, makes five steps of an iteration and stops: near
 // the corners of a wide lens it has not arrived, or walks away.
 #include "../consumers/opencv_formulas.h"
 #include "topics.h"

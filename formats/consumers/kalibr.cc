@@ -260,12 +260,13 @@ class CameraReader {
   }
 
   void refuse_pose(const Value& rows, const std::string& place) {
-    const auto is_number = [](const pyyaml::ValuePtr& each) { return each->is_number(); };
+    const auto is_scalar = [](const pyyaml::ValuePtr& each) { return each->is_number() || each->kind == Kind::kString; };
     const auto is_list = [](const pyyaml::ValuePtr& each) { return each->kind == Kind::kList; };
     const auto has_string = [](const pyyaml::ValuePtr& row) {
       return std::ranges::any_of(row->items, [](const pyyaml::ValuePtr& each) { return each->kind == Kind::kString; });
     };
-    if (rows.items.size() == 16 && std::ranges::all_of(rows.items, is_number)) {
+    constexpr std::size_t kNumbers = 16;
+    if (rows.items.size() == kNumbers && std::ranges::all_of(rows.items, is_scalar)) {
       refuse(Code::kKalibrSaysPoseFlat, place);
       return;
     }

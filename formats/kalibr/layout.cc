@@ -49,7 +49,7 @@ Message nearest_layout(const std::string& camera_model, const std::string& disto
   if (cameras.empty()) return {};
   const std::vector<std::string> distortions =
       text::nearest(distortion, names([](const Layout& each) { return each.distortion_model; }, cameras.front()));
-  if (distortions.empty()) return {Code::kCamchainNearNames, {cameras}};
+  if (distortions.empty()) return cameras.front() == camera_model ? Message() : Message{Code::kCamchainNearNames, {cameras}};
   return {Code::kCamchainNearPair, {cameras.front(), distortions.front()}};
 }
 

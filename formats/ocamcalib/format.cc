@@ -52,7 +52,7 @@ bool is_prose(const std::vector<Node>& lines) {
 ProbeResult probe(const text::Document& document) {
   if (document.syntax() != text::Syntax::kWords) return {};
   const std::vector<Node>& lines = document.root().items;
-  if (!has_shape(lines) && is_prose(lines)) return {};
+  if (std::ranges::none_of(lines, is_numbers) || (!has_shape(lines) && is_prose(lines))) return {};
   for (const Node& line : lines) {
     if (!is_numbers(line) && mentions(line, "direct") && mentions(line, "mapping"))
       return {95, Message{Code::kCalibResultsDirectComment}};
@@ -60,7 +60,6 @@ ProbeResult probe(const text::Document& document) {
   Diagnostics ignored;
   if (find_blocks(document, ignored)) return {90, Message{Code::kCalibResultsBlocks}};
   if (has_shape(lines)) return {70, Message{Code::kCalibResultsShape}};
-  if (std::ranges::none_of(lines, is_numbers)) return {};
   const auto comment = std::ranges::find_if(
       lines, [](const Node& line) { return !is_numbers(line) && (mentions(line, "polynomial") || mentions(line, "affine")); });
   if (comment != lines.end()) return {50, Message{Code::kCalibResultsComment}};

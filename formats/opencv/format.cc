@@ -40,6 +40,7 @@ const Format kFormat = {
     .program = "OpenCV",
     .main_file = "intrinsics.yml",
     .many_cameras = true,
+    .undistorts_points = true,
     .extrinsics = true,
     .any_length_unit = true,
     .imu = false,

@@ -85,7 +85,6 @@ const Format kFormat = {
     .many_cameras = true,
     .most_cameras = 2,
     .begins_with_pair = true,
-    .matches_along_rows = true,
     .one_model = true,
     .extrinsics = true,
     .imu = true,

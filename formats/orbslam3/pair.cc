@@ -52,9 +52,8 @@ bool holds_pair(const Rig& rig, Style style) {
 }
 
 // Frame::ComputeStereoMatches searches along the rows of rectified images.
-bool is_vertical(const Rig& rig, Style style) {
-  const Layout* layout = find_layout(style, model_info(rig.cameras.front().model).id);
-  return layout != nullptr && !is_fisheye(*layout) && second_below_first(rig).has_value();
+bool matches_along_rows(std::string_view model) {
+  return std::ranges::none_of(layouts(), [model](const Layout& each) { return each.model == model && is_fisheye(each); });
 }
 
 bool check_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) {

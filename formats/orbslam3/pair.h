@@ -12,8 +12,8 @@ namespace fca::orbslam3 {
 /// for both.
 [[nodiscard]] bool holds_pair(const Rig& rig, Style style);
 
-/// Does one of the pair's cameras sit above the other? Nobody minds of fisheyes, which are matched without rectification.
-[[nodiscard]] bool is_vertical(const Rig& rig, Style style);
+/// Are pairs of that model rectified, and their matches looked for along the rows? Fisheyes are matched as they are.
+[[nodiscard]] bool matches_along_rows(std::string_view model);
 
 /// False with an error where the style has no place for the pair.
 [[nodiscard]] bool check_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics);

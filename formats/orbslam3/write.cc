@@ -11,6 +11,7 @@
 #include <fca/code.h>
 #include <fca/formats/text/message.h>
 #include <fca/rig/rotation.h>
+#include <fca/rig/stereo_order.h>
 #include <fca/rig/stereo_pair.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ Sensor richest_sensor(const Rig& rig, Style style, std::vector<Message>& next) {
   Sensor best = *find_sensor("mono");
   const bool is_pair = rig.cameras.size() < 2 || may_be_stereo(rig, rig.cameras[0], rig.cameras[1]);
   const bool is_held = holds_pair(rig, style);
-  const bool is_matched = !is_vertical(rig, style);
+  const bool is_matched = !matches_along_rows(model_info(rig.cameras.front().model).id) || !second_below_first(rig);
   for (const Sensor& sensor : kSensors) {
     if (sensor.two_cameras && !(is_pair && is_held && is_matched)) continue;
     if (!only_when_asked(sensor) && missing_for(rig, sensor, style).empty()) best = sensor;

@@ -18,6 +18,7 @@ configure_package_config_file(formats/package/fca-io-config.cmake.in ${PROJECT_B
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/fca-io-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/fca-io-config.cmake ${PROJECT_BINARY_DIR}/fca-io-config-version.cmake
         DESTINATION ${package_dir} COMPONENT dev)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT dev)
 if(TARGET fca-io)
   install(TARGETS fca-io COMPONENT command)
   install(TARGETS fca-storage-module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/fca-io COMPONENT command)

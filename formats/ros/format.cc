@@ -66,6 +66,7 @@ const Format kFormat = {
     .program = "ROS",
     .many_cameras = false,
     .begins_with_pair = true,
+    .undistorts_points = true,
     .extrinsics = true,
     .pair_poses = true,
     .imu = false,

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace fca {
@@ -55,10 +56,10 @@ void warn_of_odd_camera(const Camera& camera, const ImageSize& size, Diagnostics
 double stretch_on_axis(const CameraModel& model) {
   constexpr double kStep = 1e-5;
   const auto pixels = [&model](double x, double y) -> std::optional<Pixel> {
-    const std::optional<Pixel> ahead = project(model, {x, y, 1.0});
-    const std::optional<Pixel> behind = project(model, {-x, -y, 1.0});
-    if (!ahead || !behind) return std::nullopt;
-    return Pixel{(*ahead)[0] - (*behind)[0], (*ahead)[1] - (*behind)[1]};
+    const std::optional<Pixel> plus = project(model, {x, y, 1.0});
+    const std::optional<Pixel> minus = project(model, {-x, -y, 1.0});
+    if (!plus || !minus) return std::nullopt;
+    return Pixel{(*plus)[0] - (*minus)[0], (*plus)[1] - (*minus)[1]};
   };
   const std::optional<Pixel> x = pixels(kStep, 0.0);
   const std::optional<Pixel> y = pixels(0.0, kStep);
@@ -66,12 +67,22 @@ double stretch_on_axis(const CameraModel& model) {
   // The ratio of the singular values of the matrix with those columns.
   const double squares = (*x)[0] * (*x)[0] + (*x)[1] * (*x)[1] + (*y)[0] * (*y)[0] + (*y)[1] * (*y)[1];
   const double determinant = std::abs((*x)[0] * (*y)[1] - (*x)[1] * (*y)[0]);
+  if (!(determinant > 0.0)) return std::numeric_limits<double>::infinity();
   return (squares + std::sqrt(std::max(0.0, squares * squares - 4.0 * determinant * determinant))) / (2.0 * determinant);
+}
+
+/// No sensor has such pixels: one fit is made, and no smaller cone and no higher degree are searched for.
+ConvertOptions within_reason(ConvertOptions options, const Camera& camera, const ModelInfo& target) {
+  constexpr double kNoSensor = 3.0;
+  if (stretch_on_axis(camera.model) <= kNoSensor) return options;
+  options.cone = false;
+  if (target.least_degree > 0) options.degree = options.degree.value_or(target.least_degree);
+  return options;
 }
 
 /// No fit is worth its time where the numbers are no camera's: it takes a hundred times as long, and misses by many pixels.
 bool is_worth_a_fit(const Camera& camera, Diagnostics& diagnostics) {
-  constexpr double kNoLens = 30.0;
+  constexpr double kNoLens = 300.0;
   const double stretch = stretch_on_axis(camera.model);
   if (stretch <= kNoLens) return true;
   diagnostics.add(Code::kStretchOfNoLens, {camera.name, stretch});
@@ -222,7 +233,8 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   if (!domain) return std::nullopt;
   warn_of_odd_camera(camera, domain->size, diagnostics);
   const LensCentre centre{central_focal_lengths(camera.model), principal_point(camera.model)};
-  const FitTask task{camera, *target, options, *domain, centre};
+  const ConvertOptions reasonable = within_reason(options, camera, *target);
+  const FitTask task{camera, *target, reasonable, *domain, centre};
 
   std::optional<Conversion> conversion = exact_conversion(task);
   if (!conversion && internal::id_without_skew(target->id) != target->id) {

@@ -22,6 +22,12 @@ bool is_rotation(const PoseEdge& edge) {
   return rotation_determinant(edge.T_a_b) > 0.0 && rotation_defect(edge.T_a_b) <= kPrintedWithTwoDigits;
 }
 
+/// A matrix that mirrors is no pose: what it differs by is no angle.
+bool has_mirror(const PoseLoop& loop, const Rig& rig) {
+  const auto is_mirror = [&rig](std::size_t edge) { return !(rotation_determinant(rig.poses[edge].T_a_b) > 0.0); };
+  return is_mirror(loop.edge) || std::ranges::any_of(loop.path, is_mirror);
+}
+
 Severity severity_of(const PoseDifference& difference) {
   constexpr double kSmallAngle = 0.5 * std::numbers::pi / 180.0;
   constexpr double kSmallDistance = 1e-2;  // m
@@ -94,8 +100,8 @@ auto is_against_order(const Rig& rig) {
   return [&rig](const Suspect& each) { return is_left_of_second(without_pose(each.loop.edge, rig)); };
 }
 
-/// Does the pose itself put the second camera of a pair on the right, and do the others put it on the left? Who takes it for the
-/// wrong one exchanges the cameras.
+/// Does the pose itself put the second camera of a pair on the right, and do the others put it on the left? Who takes it for
+/// the wrong one exchanges the cameras.
 auto is_in_usual_order(const Rig& rig) {
   return [&rig](const Suspect& each) {
     Rig alone = rig;
@@ -223,7 +229,9 @@ std::vector<Contradiction> contradictions(const Rig& rig) {
   std::vector<Contradiction> found;
   if (loops.empty()) return found;
   if (!std::ranges::all_of(rig.poses, is_rotation)) {
-    add_unexplained(loops, {}, found);
+    std::vector<PoseLoop> left = loops;
+    std::erase_if(left, [&rig](const PoseLoop& loop) { return has_mirror(loop, rig); });
+    add_unexplained(left, {}, found);
     return found;
   }
   const std::vector<Suspect> suspects = suspects_in(rig, loops);

@@ -100,7 +100,7 @@ std::vector<Defect> defects() {
          return std::abs(1.6 * cy / middle - 1.0) > 0.4 && scale_parameter(rig, "cy", 1.6);
        }},
       {"a fisheye's third number as tangential term",
-       {"wrong-family"},
+       {"wrong-family", "tangential-too-large"},
        [](Rig& rig) {
          if (rig.cameras.empty() || model_info(rig.cameras.front().model).id != std::string_view("radtan")) return false;
          return set_parameter(rig.cameras.front().model, "p1", -0.11);

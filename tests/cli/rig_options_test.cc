@@ -98,12 +98,12 @@ std::string pair_posed(const std::string& distortion_model, const std::vector<st
 }
 
 // Turned by a quarter about the optical axis, a pair stands one above the other.
-TEST(RigOptions, APairOneAboveTheOtherIsWarnedOf) {
+TEST(RigOptions, APairOneAboveTheOtherIsNone) {
   const TemporaryFolder folder;
   const std::vector<std::string> below = {"1.0, 0.0, 0.0, 0.0", "0.0, 1.0, 0.0, -0.12", "0.0, 0.0, 1.0, 0.0"};
-  const RunResult run = run_program({"convert", folder.write("plane.yaml", pair_posed("radtan", below)), "--to", "orbslam3"});
-  EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(says(run.err, "stereo-vertical", "12 cm")) << run.err;
+  const std::string plane = folder.write("plane.yaml", pair_posed("radtan", below));
+  EXPECT_EQ(run_program({"convert", plane, "--to", "orbslam3"}).code, 0);
+  EXPECT_EQ(run_program({"convert", plane, "--to", "orbslam3", "--sensor", "stereo"}).code, 1);
   // ORB-SLAM3 matches fisheye pairs without rectifying them, and so does the fork that knows double spheres.
   const std::string fisheye = folder.write("fisheye.yaml", pair_posed("equidistant", below));
   for (const char* model : {"kb4", "ds"}) {

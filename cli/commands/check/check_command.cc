@@ -75,6 +75,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   const bool for_people = !arguments.json && !arguments.sarif;
   ExitCode exit_code = ExitCode::kGood;
   CheckedFiles all;
+  bool is_first_told = true;
   if (const std::optional<std::string> problem = problem_with_patterns(arguments.files))
     return console.refuse(ExitCode::kIo, *problem);
   std::vector<FoundFile> files = walk(arguments.files);
@@ -105,7 +106,11 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
     all.files.push_back(std::move(result));
     if (!for_people || (arguments.quiet && has_nothing)) continue;
     // A file that is no calibration has no result.
-    const std::string text = (all.files.size() > 1 ? "\n" : "") + check_text(all.files.back(), arguments.verbose);
+    const CheckDetail detail = arguments.quiet     ? CheckDetail::kFindings
+                               : arguments.verbose ? CheckDetail::kEverything
+                                                   : CheckDetail::kUsual;
+    const std::string text = (is_first_told ? "" : "\n") + check_text(all.files.back(), detail);
+    is_first_told = false;
     all.files.back().report.is_calibration ? console.say(text, all.files.back().report.verdict.word) : console.say_aside(text);
   }
   if (all.files.empty()) {

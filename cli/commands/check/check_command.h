@@ -22,8 +22,15 @@ struct CheckedFiles {
 
 void add_check_command(Application& application);
 
+/// What is told of a file.
+enum class CheckDetail : std::uint8_t {
+  kFindings,    ///< What is wrong.
+  kUsual,       ///< And who reads it.
+  kEverything,  ///< And what was looked at.
+};
+
 /// `in_detail`: and what was looked at, and what cannot be decided.
-[[nodiscard]] std::string check_text(const CheckResult& file, bool in_detail);
+[[nodiscard]] std::string check_text(const CheckResult& file, CheckDetail detail);
 /// One line for all, where there are several.
 [[nodiscard]] std::string check_summary(const CheckedFiles& checked);
 [[nodiscard]] std::string check_json(const CheckedFiles& checked, const Console& console);

@@ -69,7 +69,7 @@ std::string readers_line(const Readers& readers) {
 
 }  // namespace
 
-std::string check_text(const CheckResult& file, bool in_detail) {
+std::string check_text(const CheckResult& file, CheckDetail detail) {
   const CheckReport& report = file.report;
   std::string text = text::printable(file.source.name) + ": " + std::string(in_words(report.verdict.word)) + "; ";
   text += report.format == nullptr ? ""
@@ -79,9 +79,10 @@ std::string check_text(const CheckResult& file, bool in_detail) {
   text += reasons_text(report);
   for (const Finding& finding : report.findings) text += finding_text(finding, file.source);
   if (report.format == nullptr) return text;
+  if (detail == CheckDetail::kFindings) return text;
   if (file.instead) text += preview_text(*file.instead);
   text += readers_line(report.readers);
-  if (!in_detail) {
+  if (detail == CheckDetail::kUsual) {
     if (!report.undecided.empty()) text += "  " + counted(report.undecided.size(), "question") + " left open: -v\n";
     return text;
   }
@@ -98,7 +99,7 @@ std::string check_summary(const CheckedFiles& checked) {
   const std::string text = "\n" + counted(checked.files.size(), "file") + " checked: " + words.in_words();
   if (checked.skipped.empty()) return text + "\n";
   const std::string hold = checked.skipped.size() == 1 ? "holds" : "hold";
-  return text + "; " + counted(checked.skipped.size(), "file") + " skipped that " + hold + " no calibration of the program's\n";
+  return text + "; " + counted(checked.skipped.size(), "file") + " skipped that " + hold + " no calibration\n";
 }
 
 }  // namespace fca::cli

@@ -269,6 +269,7 @@ ExitCode list_programs(const ListArguments& arguments, Console& console) {
           json.put("program", consumer.program);
           json.put("format", consumer.format);
           json.put("tolerance_px", consumer.tolerance_px);
+          json.put("source", consumer.source);
         });
       });
     });
@@ -276,7 +277,8 @@ ExitCode list_programs(const ListArguments& arguments, Console& console) {
     return ExitCode::kGood;
   }
   for (const consumers::Consumer& consumer : consumers::all_consumers()) {
-    console.out(padded(consumer.id, 19) + std::string(consumer.program) + ", reads " + std::string(consumer.format) + "\n");
+    console.out(padded(consumer.id, 19) + std::string(consumer.program) + ", reads " + std::string(consumer.format) + "\n" +
+                padded("", 19) + "after " + std::string(consumer.source) + "\n");
   }
   return ExitCode::kGood;
 }

@@ -23,6 +23,8 @@ constexpr std::array kStatements = {
               [](const Format& format) { return format.frame_rate; }},
     Statement{Code::kBaselineWithoutUse, [](const ConvertRequest& request) { return request.baseline_m.has_value(); },
               [](const Format& format) { return format.baseline; }},
+    Statement{Code::kArgumentsWithoutUse, [](const ConvertRequest& request) { return request.as_arguments; },
+              [](const Format& format) { return format.arguments != nullptr; }},
     Statement{Code::kDegreeWithoutUse, [](const ConvertRequest& request) { return request.degree.has_value(); },
               [](const Format& format) {
                 return std::ranges::any_of(format.models, [](const StoredModel& stored) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace fca {
 
@@ -177,30 +178,31 @@ std::optional<EvaluatedPolynomials> evaluate_polynomials(Diagnostics& diagnostic
   return result;
 }
 
-/// False with an error if one of the cameras cannot be converted, which would be a bug.
-bool add_tables(EvaluateResult& result) {
+/// The cameras are ours: one that cannot be converted is a bug.
+void add_tables(EvaluateResult& result) {
+  constexpr const char* kBug = "a camera of the paper cannot be converted";
   for (paper::ConversionTable& table : paper::conversion_tables()) {
     EvaluatedTable evaluated;
     for (const paper::Row& row : table.rows) {
       std::optional<EvaluatedRow> evaluated_row = evaluate_row(table, row, result.diagnostics);
-      if (!evaluated_row) return false;
+      if (!evaluated_row) throw std::logic_error(kBug);
       evaluated.rows.push_back(std::move(*evaluated_row));
     }
     evaluated.published = std::move(table);
     result.conversions.push_back(std::move(evaluated));
   }
   std::optional<EvaluatedPolynomials> polynomials = evaluate_polynomials(result.diagnostics);
-  if (polynomials) result.polynomials = std::move(*polynomials);
-  return polynomials.has_value();
+  if (!polynomials) throw std::logic_error(kBug);
+  result.polynomials = std::move(*polynomials);
 }
 
 }  // namespace
 
 EvaluateResult evaluate(const EvaluateRequest& request, Files& files) {
   EvaluateResult result;
-  const bool is_done =
-      add_tables(result) && (request.image_path.empty() || add_recovered_images(request.image_path, files, result));
-  if (!is_done) result.status = worse(status_of(result.diagnostics), Status::kBadInput);
+  add_tables(result);
+  if (!request.image_path.empty() && !add_recovered_images(request.image_path, files, result))
+    result.status = worse(status_of(result.diagnostics), Status::kBadInput);
   return result;
 }
 

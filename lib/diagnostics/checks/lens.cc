@@ -87,8 +87,10 @@ std::span<const CodeInfo> lens_check_codes() {
       with_consequence(
           note(Code::kFoldsAtCircle, kFolds, kNoRay, "if the lens sees there, calibrate with targets near the border"),
           "Nothing, if those pixels are black; a ray beyond that angle lands on a wrong pixel."),
-      warning(Code::kSecondSphere, "not-a-camera", "{0}: xi is {1}; Double Sphere's lies between -1 and 1",
-              "was it xi of omni, or alpha of another list?"),
+      with_consequence(
+          note(Code::kSecondSphere, "not-a-camera", "{0}: xi is {1}; Double Sphere's of real lenses lies between -1 and 1",
+               "right for a fit to another model; else: is it xi of omni, or alpha of another list?"),
+          "The formulas hold there, too."),
       warning(Code::kOcamA1NotZero, "a1-not-zero",
               "{0}: a1 = {1:.4}; OCamCalib's fit makes it 0, so that these are not its coefficients in its order (a0 first)",
               "write the coefficients ascending: a0 0 a2 a3 a4"),

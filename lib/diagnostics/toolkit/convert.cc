@@ -21,6 +21,7 @@ std::span<const CodeInfo> convert_codes() {
       bad_request(Code::kModeWithoutUse, kUseless, "a mode is for files for {0:or}, not {1}"),
       bad_request(Code::kRateWithoutUse, kUseless, "a frame rate is for files for {0:or}, not {1}"),
       bad_request(Code::kBaselineWithoutUse, kUseless, "a baseline is for files for {0:or}, not {1}"),
+      bad_request(Code::kArgumentsWithoutUse, kUseless, "arguments of a command line are for {0:or}, not {1}"),
       bad_request(Code::kDegreeWithoutUse, kUseless, "a degree is for files for {0:or}, not {1}"),
       bad_request(Code::kLayoutWithoutUse, kUseless, "a layout of {0} is for files for {0}, not {1}"),
       error(Code::kNothingToConvert, "no-camera", "the file holds {0}", "give it beside the file that holds the cameras"),

@@ -194,6 +194,7 @@ Transform turned_beside() {
 // Inverting the pose between the cameras would close the loop, too, and put the right camera on the left.
 TEST(Contradictions, AllPosesToAnImuAreWrongRatherThanTheOrderOfThePair) {
   Rig rig = row_of(2);
+  rig.add_frame("imu0", FrameKind::kImu);
   const Transform T_cam0_imu0 = shifted(0.02);
   rig.poses[place_of(rig, "T_cam1_cam0")].T_a_b = turned_beside();
   rig.poses[place_of(rig, "T_cam0_imu0")].T_a_b = *inverse(T_cam0_imu0);

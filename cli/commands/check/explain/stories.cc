@@ -299,6 +299,10 @@ are read with one; other formats have no place for it, and it is fitted away.)"}
         R"(ORB-SLAM rectifies a pair of pinholes and looks for the points of one image along the rows of the other. Of a pair whose
 second camera stands more below or above the first than beside it the points move along columns.)"},
     Story{
+        "tangential-too-large",
+        R"(p1 and p2 say how far the lens is tilted against the sensor: below 0.01 on real lenses. Larger ones make up for what
+the views did not show. Beside a k1 and k2 below 0.3, as fisheyes have them, they are taken for its k3 and k4: wrong-family.)"},
+    Story{
         "target-cannot-reach",
         R"(Some models end: radtan and rational fold, a pinhole has no ray at 90 deg. The fit then covers the part that they reach,
 and the rest of the lens has wrong pixels or none. Another model, or --max-angle where the rest is not needed.)"},
@@ -310,10 +314,6 @@ another one. Milliseconds (5.3) look so, and clocks that were never set.)"},
     Story{"too-large", "More than 2 MiB. The largest calibration seen has 193 kB; images and point lists make the rest."},
     Story{"too-long", "The limit is 100,000 values in one list, keys in one block, or lines."},
     Story{"too-many-cameras", "The limit is 100 cameras: their poses are compared each with each."},
-    Story{
-        "tangential-too-large",
-        R"(p1 and p2 say how far the lens is tilted against the sensor: below 0.01 on real lenses. Larger ones make up for what
-the views did not show. Beside a k1 and k2 below 0.3, as fisheyes have them, they are taken for its k3 and k4: wrong-family.)"},
     Story{
         "translation-in-mm",
         R"(Kalibr, ORB-SLAM3 and WoodScape state metres. Parts of a rig more than 5 m apart are a warning, 50 m an error: 110 mm

@@ -164,8 +164,8 @@ struct Format {
   bool many_cameras = true;             ///< In one file; else a rig is written as one file per camera.
   std::size_t most_cameras = SIZE_MAX;  ///< That its program uses at once; further ones are not converted.
   bool begins_with_pair = false;        ///< Its program takes the first two cameras for a stereo pair.
-  bool matches_along_rows = false;  ///< Its program finds the matches of a pair that is no pair of fisheyes beside each other.
-  bool one_model = false;           ///< All its cameras are of one model.
+  bool undistorts_points = false;       ///< Programs that read it call cv::undistortPoints.
+  bool one_model = false;               ///< All its cameras are of one model.
   bool extrinsics = true;
   bool poses_apart = false;       ///< A file of cameras alone is whole: their poses, if anybody needs them, stand in another.
   bool facts_apart = false;       ///< Poses and IMU noise, which its program uses, stand in a file of another kind.
@@ -221,6 +221,10 @@ struct Format {
   /// Where a document's numbers are of other images than those that its camera is of (ROS's binning and roi): the camera as the
   /// numbers say it. Nothing of any other document. Null: the numbers are the camera's.
   std::optional<Camera> (*as_stated)(const text::Document& document, const Camera& camera) = nullptr;
+
+  /// Does its program look along rows for the matches of a stereo pair of that model? It finds none where one camera stands
+  /// above the other. Null: of no model.
+  bool (*matches_along_rows)(std::string_view model) = nullptr;
 
   /// A camera as arguments of its program's command line: "--ImageReader.camera_model OPENCV ...". Null: it takes none.
   std::string (*arguments)(const Camera& camera) = nullptr;

@@ -140,6 +140,8 @@ struct Consumer {
   /// It goes by a second statement of the lens, an inverse polynomial, which the read model knows nothing of.
   bool by_inverse = false;
   Writing writing = {};
+  /// From what it was written: "ethz-asl/kalibr@1f60227 (2022-11)", as far as that is known.
+  std::string_view source = {};
   /// What load() waits for at its first call (a library that is loaded), beforehand; any thread may call it. Null: nothing.
   void (*prepare)() = nullptr;
   [[nodiscard]] constexpr bool reads(std::string_view format_id) const {
