@@ -70,7 +70,7 @@ struct Application::Parser {
     const bool is_manual = !words.empty() && words.front() == "manual";
     if (!is_manual && (words.empty() || words.front() != "complete")) return std::nullopt;
     std::vector<std::string> further(words.begin() + 1, words.end());
-    if (further.size() > 1) replace_aliases(further);
+    if (further.size() > 1 && further.front() != "help") replace_aliases(further);
     CLI::App* const command = further.empty() ? nullptr : defined(further.front());
     if (is_manual && (command != nullptr || further.empty()) && further.size() < 2) return manual_page(app, command);
     if (is_manual) return std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "layout.h"
 #include "orbslam3.h"
+#include "pair.h"
 #include "settings.h"
 
 #include <fca/code.h>
@@ -105,6 +106,7 @@ const Format kFormat = {
     .layout_holds = layout_holds,
     .cameras_held = cameras_held,
     .layout_stores = layout_stores,
+    .matches_along_rows = matches_along_rows,
     .read = read,
     .write = write,
 };

@@ -44,7 +44,7 @@ std::span<const CodeInfo> syntax_codes() {
             "them, PyYAML (Kalibr) refuses the file",
             "keep one document"),
       error(Code::kYamlMessages, "yaml-documents", "several messages of a ROS topic in one file",
-            "keep one of them: rostopic echo -n 1, or ros2 topic echo --once"),
+            "keep one of them; rostopic echo -n 1 prints no more"),
       error(Code::kYamlNothingBegins, kYaml, "YAML syntax error: nothing can begin here"),
       error(Code::kYamlMapValue, kYaml, "YAML syntax error: illegal map value",
             "is a blank missing behind the colon of a key?"),

@@ -537,8 +537,8 @@ std::string upright(std::string pair) {
 TEST(VerdictReasons, AVerticalPairOfPlanesIsNoStereoPair) {
   const TemporaryFolder folder;
   const std::string file = folder.write("vertical.yaml", upright(radtan_pair_at("-0.11")));
-  const Told usual({"convert", file, "--to", "orbslam3", "-o", folder / "mono.yaml"});
-  EXPECT_EQ(std::string(usual.json()["mode"].GetString()), "mono");
+  EXPECT_EQ(word_of(Told({"convert", file, "--to", "orbslam3", "-o", folder / "mono.yaml"})), "ready");
+  EXPECT_FALSE(contains(read_file(folder.path() / "mono.yaml"), "Camera2.fx"));
   const Told stereo({"convert", file, "--to", "orbslam3", "--sensor", "stereo", "-o", folder / "stereo.yaml"});
   EXPECT_EQ(word_of(stereo), "do-not-use");
   EXPECT_TRUE(codes_of(stereo).contains("stereo-vertical"));
@@ -548,6 +548,28 @@ TEST(VerdictReasons, AVerticalPairOfPlanesIsNoStereoPair) {
   EXPECT_EQ(word_of(checked), "do-not-use");
   const std::string fisheyes = folder.write("fisheyes.yaml", upright(pair_at("-0.11")));
   EXPECT_EQ(word_of(Told({"convert", fisheyes, "--to", "orbslam3", "-o", folder / "kb4.yaml"})), "ready");
+}
+
+// The pair that counts is the one that is written, not the file's first two cameras.
+TEST(VerdictReasons, OfThreeCamerasTheWrittenPairCounts) {
+  const TemporaryFolder folder;
+  const std::string two = radtan_pair_at("-0.11");
+  const std::string third = two.substr(two.find("cam1:"));
+  const auto of_three = [&](const std::string& x, const std::string& y) {
+    std::string cam2 = third;
+    cam2.replace(0, 4, "cam2");
+    const std::string beside = "[1.0, 0.0, 0.0, -0.11]\n  - [0.0, 1.0, 0.0, 0.0]";
+    cam2.replace(cam2.find(beside), beside.size(), "[1.0, 0.0, 0.0, " + x + "]\n  - [0.0, 1.0, 0.0, " + y + "]");
+    return two + cam2;
+  };
+  // cam1 beside cam0, and cam2 below it, as T_cam2_cam1 has it.
+  const std::string file = folder.write("three.yaml", of_three("0.11", "-0.11"));
+  const auto verdict = [&](const std::string& cameras) {
+    return Told(
+        {"convert", file, "--camera", cameras, "--to", "orbslam3", "--sensor", "stereo", "-o", folder / (cameras + ".yaml")});
+  };
+  EXPECT_FALSE(codes_of(verdict("cam0,cam1")).contains("stereo-vertical"));
+  EXPECT_TRUE(codes_of(verdict("cam0,cam2")).contains("stereo-vertical"));
 }
 
 }  // namespace

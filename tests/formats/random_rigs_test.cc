@@ -4,6 +4,7 @@
 #include "formats/rigs.h"
 
 #include <fca/formats/wording.h>
+#include <fca/rig/stereo_order.h>
 #include <fca/rig/stereo_pair.h>
 
 #include <cmath>
@@ -135,15 +136,16 @@ void reads_back_bit_equal(const Shape& shape, const Rig& rig) {
 /// Side by side, the same way: a stereo pair.
 Transform random_pair_pose() {
   const double angle = random_in(-0.1, 0.1);
-  return {{std::cos(angle), -std::sin(angle), 0.0, random_in(-2.0, 2.0),  //
-           std::sin(angle), std::cos(angle), 0.0, random_in(-2.0, 2.0),   //
-           0.0, 0.0, 1.0, random_in(-2.0, 2.0),                           //
+  const double beside = random_in(-2.0, 2.0);
+  return {{std::cos(angle), -std::sin(angle), 0.0, beside,                        //
+           std::sin(angle), std::cos(angle), 0.0, beside * random_in(-0.5, 0.5),  //
+           0.0, 0.0, 1.0, random_in(-2.0, 2.0),                                   //
            0.0, 0.0, 0.0, 1.0}};
 }
 
 /// Two cameras that see little in common are not written as a stereo pair.
 void require_common_view(const Rig& rig) {
-  if (rig.cameras.size() > 1) RC_PRE(may_be_stereo(rig, rig.cameras[0], rig.cameras[1]));
+  if (rig.cameras.size() > 1) RC_PRE(may_be_stereo(rig, rig.cameras[0], rig.cameras[1]) && !second_below_first(rig));
 }
 
 /// As a camchain states poses: each camera to the one before it, the first to the IMU.

@@ -118,7 +118,10 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
                   " files looked at)");
     exit_code = worse(exit_code, ExitCode::kBadInput);
   }
-  if (for_people) console.say(check_summary(all));
+  if (for_people) {
+    const std::string summary = check_summary(all);
+    console.say(is_first_told && !summary.empty() ? summary.substr(1) : summary);  // no blank line before it
+  }
   if (arguments.json) console.out(check_json(all, console));
   if (arguments.sarif) console.out(check_sarif(all));
   return exit_code;

@@ -65,7 +65,7 @@ std::string experience_with(std::string_view code) {
   const std::string all = "Of " + std::to_string(kRealFiles) + " real calibration files ";
   if (seen.files == 0) return all + "none has it.";
   const std::string have = all + std::to_string(seen.files) + (seen.files == 1 ? " has" : " have") + " it";
-  if (seen.false_alarms == 0) return have + ", none of them by mistake.";
+  if (seen.false_alarms == 0) return have + (seen.files == 1 ? ", and not by mistake." : ", none of them by mistake.");
   return have + "; " + std::to_string(seen.false_alarms) + " of those are right as they are.";
 }
 
