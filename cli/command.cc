@@ -48,8 +48,8 @@ int run(std::span<const std::string> words, Streams& streams) {
   try {
     return static_cast<int>(run_words(words, streams));
   } catch (const consumers::MissingModule& error) {
-    return fail(ExitCode::kIo,
-                text::text_of(error.facts, with_options) + "; install fca-io, for images also fca-io-images, or allow more memory (ulimit -v)");
+    return fail(ExitCode::kIo, text::text_of(error.facts, with_options) +
+                                   "; install fca-io, for images also fca-io-images, or allow more memory (ulimit -v)");
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::kIo, "not enough memory; allow it more (ulimit -v)");
   } catch (const std::exception& error) {

@@ -94,13 +94,14 @@ py::tuple to_opencv(const Camera& camera) {
     raise_value_error("OpenCV's K and D hold pinhole, radtan, rational, opencv14 and kb4, not " + std::string(id) +
                       "; fca_io.fit(camera, 'kb4') fits one of them");
   }
-  const auto value = [&camera](ParameterId each) { return parameter(camera.model, each).value(); };
+  const auto value = [&camera](const ParameterId& each) { return parameter(camera.model, each).value(); };
   const bool has_no_coefficients = id == "pinhole";
   Array K({3, 3});
   std::ranges::copy(std::array{value("fx"), skew_px, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0},
                     K.mutable_data());
   Array D(static_cast<py::ssize_t>(order.size()));
-  std::ranges::transform(order, D.mutable_data(), [&](ParameterId each) { return has_no_coefficients ? 0.0 : value(each); });
+  std::ranges::transform(order, D.mutable_data(),
+                         [&](const ParameterId& each) { return has_no_coefficients ? 0.0 : value(each); });
   return py::make_tuple(K, D);
 }
 

@@ -100,8 +100,8 @@ struct ConvertRequest {
   bool strict = false;                  ///< kRejected if anything of the input is lost.
   /// The cameras as arguments of the program's command line (Format::arguments), as one file in place of the others.
   bool as_arguments = false;
-  bool verify = true;                   ///< The programs that read the files are asked about their bytes.
-  std::vector<Acceptance> accepted;     ///< Reasons against the file that do not stop it.
+  bool verify = true;                ///< The programs that read the files are asked about their bytes.
+  std::vector<Acceptance> accepted;  ///< Reasons against the file that do not stop it.
   ProvenanceComment provenance = ProvenanceComment::kInFreshFiles;
   std::string made_by;   ///< For that comment: the command or program that asks; empty: none.
   std::size_t jobs = 0;  ///< Cameras at the same time; 0: as many as there are processors.

@@ -57,7 +57,7 @@ struct RemapResult {
   Camera view;  ///< Of an equirectangular view its size alone.
   bool is_equirectangular = false;
   std::string colmap_camera;  ///< Of an equirectangular view: its line of COLMAP's cameras.txt.
-  Transform T_source_view;  ///< A rotation.
+  Transform T_source_view;    ///< A rotation.
   ImageMap map;
   std::vector<std::uint8_t> mask;  ///< Of the view: 255 where the source sees, else 0. Rows from the top.
   double seen_share = 0.0;         ///< Of the view.
