@@ -103,9 +103,10 @@ std::optional<std::string> problem_with(const ConvertArguments& arguments, bool 
   if (request.into.empty() && request.to == nullptr) return "--to FORMAT is missing: " + format_names();
   if (const std::optional<std::string> error = problem_with(request)) return error;
   if (arguments.in_place && arguments.output.is_said()) return "--in-place writes BASE itself; leave out -o";
-  if (request.as_arguments && (request.to == nullptr || request.to->arguments == nullptr))
+  if (request.as_arguments && (request.to == nullptr || request.to->arguments == nullptr)) {
     return "--print is for programs that take a camera on their command line: --to " +
            text::enumerated(printed(&Format::id), "or");
+  }
   if (request.as_arguments && (arguments.output.is_said() || !request.into.empty()))
     return "--print writes no file: leave out -o and --into";
   if (many && !request.into.empty()) return "--into wants one input, or several that are one rig (--join)";

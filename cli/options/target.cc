@@ -59,9 +59,9 @@ std::optional<std::string> take_acceptance(const std::string& word, std::vector<
 std::string degrees_in_words(const std::string& between) {
   std::vector<std::string> models;
   for (const ModelInfo& model : all_models()) {
-    if (model.least_degree > 0)
-      models.push_back(std::string(model.id) + between + std::to_string(model.least_degree) + " to " +
-                       std::to_string(model.most_degree));
+    if (model.least_degree == 0) continue;
+    models.push_back(std::string(model.id) + between + std::to_string(model.least_degree) + " to " +
+                     std::to_string(model.most_degree));
   }
   return text::enumerated(models, "or");
 }

@@ -51,6 +51,7 @@ struct Suspect {
 void add_unexplained(const std::vector<PoseLoop>& loops, const std::vector<Suspect>& candidates,
                      std::vector<Contradiction>& found) {
   std::vector<std::size_t> edges;
+  edges.reserve(candidates.size());
   for (const Suspect& each : candidates) edges.push_back(each.loop.edge);
   for (const PoseLoop& loop : loops) found.push_back({loop, Blame::kNone, Code::kNone, severity_of(loop.difference), edges});
 }

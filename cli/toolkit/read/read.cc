@@ -134,6 +134,7 @@ CameraReading read_camera(const Inputs& inputs, Files& files) {
   if (calibration) {
     const std::vector<Camera>& cameras = calibration->rig.cameras;
     std::vector<std::string> names;
+    names.reserve(cameras.size());
     for (const Camera& camera : cameras) names.push_back(camera.name);
     if (cameras.empty()) result.diagnostics.add(Code::kNoCameraInFile);
     if (cameras.size() > 1) result.diagnostics.add(Code::kWhichCamera, {cameras.size(), names});
