@@ -7,7 +7,7 @@ configure() {
   # A compiler cache makes every build but the first one short.
   if command -v ccache >/dev/null; then launcher=ccache; fi
   # What CMake finds where is in its cache; its errors come on the other channel.
-  cmake --preset "$1" -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" "${@:2}" >/dev/null
+  cmake --preset "$1" --no-warn-unused-cli -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" "${@:2}" >/dev/null
 }
 
 # build PRESET [TARGET...]
