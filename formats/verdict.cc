@@ -288,7 +288,8 @@ std::string_view model_read(const std::string& camera, const VerdictFacts& facts
     const auto stored = std::ranges::find(facts.to->models, std::string_view(read->model), &StoredModel::file_name);
     if (stored != facts.to->models.end()) return stored->model;
   }
-  return model_info(facts.rig->find_camera(camera)->model).id;
+  const Camera* stated = facts.rig->find_camera(camera);
+  return stated != nullptr ? model_info(stated->model).id : std::string_view();
 }
 
 /// A stereo pair, one camera above the other, for a program that looks for matches along rows.
@@ -296,17 +297,14 @@ void add_vertical_pair(const VerdictFacts& facts, std::vector<Reason>& reasons) 
   if (facts.rig == nullptr || !facts.mode.starts_with("stereo") || facts.to->matches_along_rows == nullptr) return;
   for (const std::vector<std::string>& cameras : cameras_of_files(facts)) {
     if (cameras.size() < 2) continue;
-    const Camera* first = facts.rig->find_camera(cameras[0]);
-    const Camera* second = facts.rig->find_camera(cameras[1]);
-    if (first == nullptr || second == nullptr) continue;
-    Rig pair = *facts.rig;
-    pair.cameras = {*first, *second};
-    const std::optional<double> below = second_below_first(pair);
-    if (!below || !facts.to->matches_along_rows(model_read(first->name, facts))) continue;
+    const std::string& first = cameras[0];
+    const std::string& second = cameras[1];
+    const std::optional<double> below = second_below_first(*facts.rig, first, second);
+    if (!below || !facts.to->matches_along_rows(model_read(first, facts))) continue;
     constexpr double kCmPerM = 100.0;
     reasons.push_back({.word = VerdictWord::kDoNotUse,
                        .facts = {Code::kOrbslam3PairVertical,
-                                 {second->name, kCmPerM * std::abs(*below), *below > 0.0 ? "below" : "above", first->name}}});
+                                 {second, kCmPerM * std::abs(*below), *below > 0.0 ? "below" : "above", first}}});
   }
 }
 

@@ -4,6 +4,7 @@
 #include "completion.h"
 #include "help_text.h"
 #include "manual.h"
+#include "other_names.h"
 #include "output.h"
 #include "words.h"
 
@@ -20,26 +21,6 @@
 
 namespace fca::cli {
 
-namespace {
-
-/// What other programs call the same: `diff A B`, `help convert`, `version`.
-void replace_aliases(std::vector<std::string>& words) {
-  if (words.empty()) return;
-  if (words.front() == "help" && words.size() > 1) words = {words[1], "--help"};
-  std::string& first = words.front();
-  if (first == "diff") {
-    first = "compare";
-  } else if (first == "undistort") {
-    first = "remap";
-  } else if (first == "version") {
-    first = "--version";
-  } else if (first == "help") {
-    first = "--help";
-  }
-}
-
-}  // namespace
-
 struct Application::Parser {
   CLI::App app{
       "fca-io makes camera calibration files interoperable: reads them, says what they mean, converts them to other formats\n"
@@ -47,13 +28,6 @@ struct Application::Parser {
   RunCommand chosen;
   std::optional<Options> options;  ///< Of the subcommand that was chosen.
   std::map<std::string, std::function<RunCommand(Options& options)>> definitions;
-
-  [[nodiscard]] std::vector<std::string> names() const {
-    std::vector<std::string> result;
-    for (const CLI::App* subcommand : app.get_subcommands([](const CLI::App*) { return true; }))
-      result.push_back(subcommand->get_name());
-    return result;
-  }
 
   /// The subcommand of that name, with its options; null: there is none.
   CLI::App* defined(const std::string& name) {
@@ -70,7 +44,7 @@ struct Application::Parser {
     const bool is_manual = !words.empty() && words.front() == "manual";
     if (!is_manual && (words.empty() || words.front() != "complete")) return std::nullopt;
     std::vector<std::string> further(words.begin() + 1, words.end());
-    if (further.size() > 1 && further.front() != "help") replace_aliases(further);
+    if (further.size() > 1 && further.front() != "help") further = in_usual_names(std::move(further));
     CLI::App* const command = further.empty() ? nullptr : defined(further.front());
     if (is_manual && (command != nullptr || further.empty()) && further.size() < 2) return manual_page(app, command);
     if (is_manual) return std::nullopt;
@@ -175,9 +149,8 @@ ExitCode Application::run(std::span<const std::string> given, Console& console) 
     console.out(*answer);
     return ExitCode::kGood;
   }
-  std::vector<std::string> words(given.begin(), given.end());
-  replace_aliases(words);
-  const std::vector<std::string> names = parser_->names();
+  std::vector<std::string> words = in_usual_names({given.begin(), given.end()});
+  const std::vector<std::string> names = command_names(parser_->app);
   const auto is_name = [&names](const std::string& word) { return std::ranges::find(names, word) != names.end(); };
   if (!words.empty() && (!words.front().starts_with('-') || is_standard_input(words.front())) && !is_name(words.front())) {
     if (!is_path(words.front())) {

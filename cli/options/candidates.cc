@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "candidates.h"
 
-#include <fca/code.h>
+#include "words.h"
+
 #include <fca/formats/format.h>
 #include <fca/formats/program_names.h>
-#include <fca/models/camera_model.h>
 #include <fca/toolkit/programs.h>
 #include <fca/toolkit/read.h>
 
@@ -21,8 +21,7 @@ using Words = std::span<const std::string>;
 using Values = std::vector<std::string>;
 
 Values formats(Words /*words*/) {
-  Values ids;
-  for (const Format& format : all_formats()) ids.emplace_back(format.id);
+  Values ids = format_ids();
   for (const ProgramName& name : all_program_names()) {
     if (name.is_served() && std::ranges::find(ids, name.names.front()) == ids.end()) ids.emplace_back(name.names.front());
   }
@@ -35,11 +34,7 @@ Values layouts(Words /*words*/) {
   return names;
 }
 
-Values models(Words /*words*/) {
-  Values ids;
-  for (const ModelInfo& model : all_models()) ids.emplace_back(model.id);
-  return ids;
-}
+Values models(Words /*words*/) { return model_ids(); }
 
 Values programs(Words /*words*/) { return program_ids(); }
 
@@ -49,13 +44,7 @@ Values modes(Words /*words*/) {
   return {names.begin(), names.end()};
 }
 
-Values codes(Words /*words*/) {
-  std::set<std::string> ids;
-  for (const CodeInfo& code : all_codes()) {
-    if (!code.id.empty()) ids.emplace(code.id);
-  }
-  return {ids.begin(), ids.end()};
-}
+Values codes(Words /*words*/) { return code_ids(); }
 
 /// Of the first of the words that is a calibration file.
 Values cameras(Words words) {

@@ -2,6 +2,7 @@
 #include "completion.h"
 
 #include "candidates.h"
+#include "other_names.h"
 
 #include <algorithm>
 #include <iterator>
@@ -30,13 +31,6 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-std::vector<std::string> command_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(command->get_name());
-  return names;
-}
-
 std::vector<std::string> beginning_with(const std::string& begun, const std::vector<std::string>& words) {
   std::vector<std::string> result;
   std::ranges::copy_if(words, std::back_inserter(result),
@@ -45,6 +39,13 @@ std::vector<std::string> beginning_with(const std::string& begun, const std::vec
 }
 
 }  // namespace
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
 
 Completion completion_of(const CLI::App& app, const CLI::App* command, std::span<const std::string> words) {
   if (words.empty()) return {};
@@ -61,7 +62,7 @@ Completion completion_of(const CLI::App& app, const CLI::App* command, std::span
   if (begun.starts_with('-')) return {beginning_with(begun, option_names(typed)), false};
   if (words.size() == 1) {
     std::vector<std::string> names = command_names(app);
-    names.insert(names.end(), {"diff", "help", "undistort", "version"});
+    for (const OtherName& other : kOtherNames) names.emplace_back(other.typed);
     return {beginning_with(begun, names), true};
   }
   if (words.front() == "help") return {beginning_with(begun, command_names(app)), false};

@@ -17,6 +17,9 @@ struct Completion {
   bool files = false;  ///< Also the paths of files.
 };
 
+/// Of all subcommands.
+[[nodiscard]] std::vector<std::string> command_names(const CLI::App& app);
+
 /// `command`: the one that the first word names, with its options defined; null: none.
 [[nodiscard]] Completion completion_of(const CLI::App& app, const CLI::App* command, std::span<const std::string> words);
 

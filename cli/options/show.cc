@@ -28,7 +28,7 @@ void add_show_options(Options& options, ShowArguments& arguments) {
   add_join_option(options, request.inputs);
   add_imu_option(options, request.inputs);
   add_program_option(options,
-                     "What this program makes of the file: whether it loads it, which cameras it sees, how far they are from "
+                     "How this program reads the file: whether it loads it, which cameras it sees, how far they are from "
                      "what the file means: " +
                          text::enumerated(program_ids(), "or"),
                      request.program);

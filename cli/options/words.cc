@@ -15,18 +15,6 @@ namespace fca::cli {
 
 namespace {
 
-std::vector<std::string> format_ids() {
-  std::vector<std::string> names;
-  for (const Format& format : all_formats()) names.emplace_back(format.id);
-  return names;
-}
-
-std::vector<std::string> model_ids() {
-  std::vector<std::string> names;
-  for (const ModelInfo& model : all_models()) names.emplace_back(model.id);
-  return names;
-}
-
 /// "640x480"
 std::optional<ImageSize> parse_size(std::string_view text) {
   const std::size_t x = text.find_first_of("xX");
@@ -59,6 +47,26 @@ std::string unknown_word(std::string_view kind, std::string_view typed, std::spa
   return text + (otherwise.empty() ? "there are " + text::enumerated(names) : std::string(otherwise));
 }
 
+std::vector<std::string> format_ids() {
+  std::vector<std::string> ids;
+  for (const Format& format : all_formats()) ids.emplace_back(format.id);
+  return ids;
+}
+
+std::vector<std::string> model_ids() {
+  std::vector<std::string> ids;
+  for (const ModelInfo& model : all_models()) ids.emplace_back(model.id);
+  return ids;
+}
+
+std::vector<std::string> code_ids() {
+  std::set<std::string> ids;
+  for (const CodeInfo& code : all_codes()) {
+    if (find_code(code.id) != nullptr) ids.emplace(code.id);
+  }
+  return {ids.begin(), ids.end()};
+}
+
 std::string format_names() { return text::enumerated(format_ids()); }
 
 std::string target_names() { return format_names() + "; or a program, such as vins-fusion, ros2 or orbslam2"; }
@@ -76,11 +84,7 @@ std::string unknown_format(std::string_view typed) { return unknown_word("format
 std::string unknown_model(std::string_view typed) { return unknown_word("camera model", typed, model_ids()); }
 
 std::string unknown_code(std::string_view typed, std::string_view otherwise) {
-  std::set<std::string> ids;
-  for (const CodeInfo& code : all_codes()) {
-    if (find_code(code.id) != nullptr) ids.emplace(code.id);
-  }
-  return unknown_word("code", typed, std::vector<std::string>(ids.begin(), ids.end()), otherwise);
+  return unknown_word("code", typed, code_ids(), otherwise);
 }
 
 std::vector<std::string> split(std::string_view list) {

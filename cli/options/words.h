@@ -15,6 +15,11 @@
 
 namespace fca::cli {
 
+[[nodiscard]] std::vector<std::string> format_ids();
+[[nodiscard]] std::vector<std::string> model_ids();
+/// Of all codes that are printed in brackets, by name.
+[[nodiscard]] std::vector<std::string> code_ids();
+
 /// "unknown model 'kb5'; did you mean kb4?", or, where nothing is near, "...; there are kb4 and ds"; `otherwise` in place of
 /// the list, where that is long.
 [[nodiscard]] std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string> names,

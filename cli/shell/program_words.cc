@@ -77,7 +77,7 @@ std::vector<std::string> misreadings(const ProofResult& proof, bool lens_given) 
 std::string program_reading_text(const ProgramReading& reading, const Calibration& calibration, const std::string& file,
                                  bool lens_given) {
   const std::string program(reading.program->program);
-  std::string text = "\nwhat " + program + " makes of it\n";
+  std::string text = "\nas " + program + " reads it\n";
   if (!reading.reads_format) {
     return text + "  nothing: it does not read the " + std::string(calibration.format->title) + " format\n" +
            "    do: fca-io convert " + shell_word(file) + " --to " + std::string(reading.program->format) + " (fca-io check " +

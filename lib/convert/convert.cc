@@ -72,18 +72,17 @@ double stretch_on_axis(const CameraModel& model) {
 }
 
 /// No sensor has such pixels: one fit is made, and no smaller cone and no higher degree are searched for.
-ConvertOptions within_reason(ConvertOptions options, const Camera& camera, const ModelInfo& target) {
+ConvertOptions within_reason(ConvertOptions options, double stretch, const ModelInfo& target) {
   constexpr double kNoSensor = 3.0;
-  if (stretch_on_axis(camera.model) <= kNoSensor) return options;
+  if (stretch <= kNoSensor) return options;
   options.cone = false;
   if (target.least_degree > 0) options.degree = options.degree.value_or(target.least_degree);
   return options;
 }
 
 /// No fit is worth its time where the numbers are no camera's: it takes a hundred times as long, and misses by many pixels.
-bool is_worth_a_fit(const Camera& camera, Diagnostics& diagnostics) {
+bool is_worth_a_fit(const Camera& camera, double stretch, Diagnostics& diagnostics) {
   constexpr double kNoLens = 300.0;
-  const double stretch = stretch_on_axis(camera.model);
   if (stretch <= kNoLens) return true;
   diagnostics.add(Code::kStretchOfNoLens, {camera.name, stretch});
   return false;
@@ -233,7 +232,8 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   if (!domain) return std::nullopt;
   warn_of_odd_camera(camera, domain->size, diagnostics);
   const LensCentre centre{central_focal_lengths(camera.model), principal_point(camera.model)};
-  const ConvertOptions reasonable = within_reason(options, camera, *target);
+  const double stretch = stretch_on_axis(camera.model);
+  const ConvertOptions reasonable = within_reason(options, stretch, *target);
   const FitTask task{camera, *target, reasonable, *domain, centre};
 
   std::optional<Conversion> conversion = exact_conversion(task);
@@ -247,7 +247,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
     conversion->report.to_model = target->id;
     return conversion;
   }
-  if (!conversion && is_worth_a_fit(camera, diagnostics)) conversion = fitted_conversion(task, diagnostics);
+  if (!conversion && is_worth_a_fit(camera, stretch, diagnostics)) conversion = fitted_conversion(task, diagnostics);
   if (!conversion) return std::nullopt;
   if (!options.max_angle_rad && !camera.lens_circle) warn_of_fold(camera, conversion->report.judgement.coverage, diagnostics);
   conversion->report.from_model = model_info(camera.model).id;

@@ -120,7 +120,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   }
   if (for_people) {
     const std::string summary = check_summary(all);
-    console.say(is_first_told && !summary.empty() ? summary.substr(1) : summary);  // no blank line before it
+    console.say(summary.empty() || is_first_told ? summary : "\n" + summary);
   }
   if (arguments.json) console.out(check_json(all, console));
   if (arguments.sarif) console.out(check_sarif(all));

@@ -22,7 +22,7 @@ struct CheckedFiles {
 
 void add_check_command(Application& application);
 
-/// What is told of a file.
+/// How much of a file's report is printed.
 enum class CheckDetail : std::uint8_t {
   kFindings,    ///< What is wrong.
   kUsual,       ///< And who reads it.

@@ -96,7 +96,7 @@ std::string check_summary(const CheckedFiles& checked) {
   if (checked.files.size() < 2 && checked.skipped.empty()) return "";
   VerdictCounts words;
   for (const CheckResult& file : checked.files) words.add(file.report.verdict.word);
-  const std::string text = "\n" + counted(checked.files.size(), "file") + " checked: " + words.in_words();
+  const std::string text = counted(checked.files.size(), "file") + " checked: " + words.in_words();
   if (checked.skipped.empty()) return text + "\n";
   const std::string hold = checked.skipped.size() == 1 ? "holds" : "hold";
   return text + "; " + counted(checked.skipped.size(), "file") + " skipped that " + hold + " no calibration\n";
