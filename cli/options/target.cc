@@ -20,19 +20,20 @@ namespace fca::cli {
 namespace {
 
 /// One of the modes of any format.
-std::optional<std::string> take_mode(const std::string& word, std::string& target) {
+std::optional<std::string> take_mode(const std::string& word, std::optional<FormatMode>& target) {
   std::vector<std::string> known;
-  for (const Format& format : all_formats()) known.insert(known.end(), format.modes.begin(), format.modes.end());
-  if (std::ranges::find(known, word) == known.end()) return unknown_word("sensor mode", word, known);
-  target = word;
-  return std::nullopt;
+  for (const Format& format : all_formats()) {
+    target = FormatMode::find(format, word);
+    if (target) return std::nullopt;
+    known.insert(known.end(), format.modes.begin(), format.modes.end());
+  }
+  return unknown_word("sensor mode", word, known);
 }
 
-std::optional<std::string> take_layout(const std::string& word, const Format& format, FormatLayout& target) {
-  if (std::ranges::find(format.layouts, word) == format.layouts.end())
-    return unknown_word("layout", word, std::vector<std::string>(format.layouts.begin(), format.layouts.end()));
-  target = {&format, word};
-  return std::nullopt;
+std::optional<std::string> take_layout(const std::string& word, const Format& format, std::optional<FormatLayout>& target) {
+  target = FormatLayout::find(format, word);
+  if (target) return std::nullopt;
+  return unknown_word("layout", word, std::vector<std::string>(format.layouts.begin(), format.layouts.end()));
 }
 
 std::optional<std::string> take_setting(const std::string& word, std::vector<KeyValue>& settings) {
@@ -158,9 +159,9 @@ std::optional<std::string> target_without_file(const ConvertRequest& request) {
     bool given;
     std::string option;
   };
-  const std::string layout = request.layout.format != nullptr ? "--" + std::string(request.layout.format->id) + "-layout" : "";
+  const std::string layout = request.layout ? "--" + std::string(request.layout->format().id) + "-layout" : "";
   for (const Given& each :
-       {Given{!request.mode.empty(), "--sensor"}, Given{!layout.empty(), layout},
+       {Given{request.mode.has_value(), "--sensor"}, Given{!layout.empty(), layout},
         Given{request.frame_rate_hz.has_value(), "--fps"}, Given{request.baseline_m.has_value(), "--baseline"},
         Given{!request.settings.empty(), "--set"}, Given{request.rewrite, "--anew"}}) {
     if (each.given) return each.option + " says something about a written file; say with --to FORMAT which one";

@@ -115,7 +115,7 @@ std::optional<std::string> take_target(const std::string& word, ConvertRequest& 
   request.to = found->format;
   request.program = found->program;
   request.extension = std::move(found->extension);
-  if (request.layout.name.empty()) request.layout = std::move(found->layout);
+  if (!request.layout) request.layout = found->layout;
   return std::nullopt;
 }
 

@@ -36,6 +36,13 @@ Acceptance acceptance_of(const std::string& word) {
   return *std::move(typed.acceptance);
 }
 
+template <class Word>
+Word word_of(const Format& format, const std::string& kind, const std::string& word) {
+  const std::optional<Word> found = Word::find(format, word);
+  if (!found) raise_value_error(std::string(format.id) + " has no " + kind + " '" + word + "'");
+  return *found;
+}
+
 std::unique_ptr<Conversion> convert_source(const py::object& source, const std::string& to,
                                            const std::vector<py::object>& parts, const std::optional<std::string>& model,
                                            const std::optional<double>& max_angle, const std::string& sensor,
@@ -48,14 +55,11 @@ std::unique_ptr<Conversion> convert_source(const py::object& source, const std::
   Target target = target_named(to);
   request.to = target.format;
   request.program = target.program;
-  request.layout = std::move(target.layout);
+  request.layout = target.layout;
   request.extension = std::move(target.extension);
-  if (!layout.empty()) request.layout = {request.to, layout};
-  const auto& layouts = request.to->layouts;
-  if (!layout.empty() && std::ranges::find(layouts, layout) == layouts.end())
-    raise_value_error(std::string(request.to->id) + " has no layout '" + layout + "'");
+  if (!layout.empty()) request.layout = word_of<FormatLayout>(*request.to, "layout", layout);
   request.model = model ? &model_named(*model) : nullptr;
-  request.mode = sensor;
+  if (!sensor.empty()) request.mode = word_of<FormatMode>(*request.to, "sensor mode", sensor);
   for (const std::string& word : accept) request.accepted.push_back(acceptance_of(word));
   request.strict = strict;
   request.max_error_px = max_error;

@@ -93,7 +93,7 @@ TEST(Toolkit, HowItEndedSaysWhoIsAtFault) {
   FilesInMemory files({{"no.yaml", "a: 1\n"}, {"chain.yaml", read_file(kTumvi)}});
   EXPECT_EQ(convert(request_for("no.yaml", "orbslam3"), files).status, Status::kBadInput);
   ConvertRequest request = request_for("chain.yaml", "kalibr");
-  request.mode = "stereo";
+  request.mode = FormatMode::find(*find_format("orbslam3"), "stereo");
   const ConvertResult without_use = convert(request, files);
   EXPECT_EQ(without_use.status, Status::kBadRequest);
   EXPECT_TRUE(has(without_use.diagnostics, "option-without-use"));

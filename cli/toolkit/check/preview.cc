@@ -13,7 +13,7 @@ ConvertResult preview_conversion(const std::string& file, const Inputs& inputs, 
   request.to = find_format(program.format);
   request.program = &program;
   request.model = program.writing.model.empty() ? nullptr : find_model(program.writing.model);
-  request.layout = {request.to, std::string(program.writing.layout)};
+  request.layout = FormatLayout::find(*request.to, program.writing.layout);
   request.extension = std::filesystem::path(program.writing.file_name).extension().string();
   request.rewrite = rewrite;
   ConvertResult result = convert(request, files);

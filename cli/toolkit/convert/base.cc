@@ -43,7 +43,7 @@ bool has_use_for(const Calibration& into, const Rig& rig, const std::string& inp
 }
 
 bool keeps_text(const ConvertRequest& request, const Base& base) {
-  return base.into != nullptr && !request.rewrite && request.layout.name.empty();
+  return base.into != nullptr && !request.rewrite && !request.layout;
 }
 
 namespace {
@@ -51,8 +51,7 @@ namespace {
 /// Does a camera of the file written into stay, whose model the input's are to share? A mode that is asked for may leave it
 /// out.
 bool shares_model(const ConvertRequest& request, const Base& base, const Rig& input, const Format& to) {
-  return to.one_model && keeps_text(request, base) && request.mode.empty() &&
-         base.into->rig.cameras.size() > input.cameras.size();
+  return to.one_model && keeps_text(request, base) && !request.mode && base.into->rig.cameras.size() > input.cameras.size();
 }
 
 /// Of joined files of the target's own format the first is edited, and takes the others' cameras.

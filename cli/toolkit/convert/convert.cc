@@ -29,7 +29,7 @@ Message remedy_of_version(const ConvertRequest& request, const Start& start, con
 /// program reads.
 void name_better_models(const ConvertRequest& request, const Start& start, ConvertResult& result) {
   ConvertRequest chosen = request;
-  if (!result.layout.empty()) chosen.layout = {result.to, result.layout};
+  if (!result.layout.empty()) chosen.layout = FormatLayout::find(*result.to, result.layout);
   const ModelChoice choice = choice_of(chosen, start, *result.to);
   const auto first = std::ranges::find(result.proofs, true, &ProofResult::is_first);
   const std::string_view program = first != result.proofs.end() ? std::string_view(first->program) : result.to->program;
@@ -73,7 +73,7 @@ std::optional<Verdict> verdict_on_mirrors(const ConvertResult& result) {
 /// The format's own program, where the files are for another one and the request names neither that nor a layout or a base of
 /// it.
 std::string_view not_written_for(const ConvertRequest& request, const ConvertResult& result) {
-  const bool is_asked_for = request.program != nullptr || !request.layout.name.empty() || !request.into.empty();
+  const bool is_asked_for = request.program != nullptr || request.layout || !request.into.empty();
   const consumers::Consumer* own = consumers::own_program(result.to->id, true);
   if (is_asked_for || own == nullptr || result.files.empty() || result.files.front().programs.empty()) return {};
   const consumers::Consumer* first = consumers::find_consumer(result.files.front().programs.front());
@@ -98,7 +98,7 @@ void offer_fresh_file(const ConvertRequest& request, const Start& start, const C
     return entry.facts.code == Code::kInputNotUnderstood || entry.facts.code == Code::kEditNotProven;
   });
   const auto needs_program = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsProgram; };
-  const bool is_edited = start.base.document != nullptr && !request.rewrite && request.layout.name.empty() && request.verify;
+  const bool is_edited = start.base.document != nullptr && !request.rewrite && !request.layout && request.verify;
   const bool is_in_place = is_edited && request.into.empty();
   const bool is_of_another = is_in_place && std::ranges::any_of(verdict.reasons, needs_program);
   const bool is_unusable = is_edited && verdict.word == VerdictWord::kDoNotUse;
@@ -188,7 +188,7 @@ bool write_where_settings_fit(const ConvertRequest& request, const Start& start,
                               ConvertResult& result) {
   const bool lacks_key = std::ranges::any_of(result.diagnostics.entries(),
                                              [](const Diagnostic& entry) { return entry.facts.code == Code::kSetUnknownKey; });
-  if (!lacks_key || !request.layout.name.empty() || !request.into.empty() || !request.verify) return false;
+  if (!lacks_key || request.layout || !request.into.empty() || !request.verify) return false;
   ConvertRequest without = request;
   without.settings.clear();
   ConvertResult chosen = before;
@@ -196,7 +196,7 @@ bool write_where_settings_fit(const ConvertRequest& request, const Start& start,
   try_other_layouts(without, start, before, chosen);
   if (chosen.layout.empty() || chosen.cameras.empty()) return false;
   ConvertRequest asked = request;
-  asked.layout = {result.to, chosen.layout};
+  asked.layout = FormatLayout::find(*result.to, chosen.layout);
   if (asked.model == nullptr) asked.model = &model_info(chosen.cameras.front().target.model);
   ConvertResult other = before;
   if (!write_as_asked(asked, start, other)) return false;

@@ -104,9 +104,9 @@ bool is_better(const ConvertResult& other, const ConvertResult& best) {
 class Choice {
  public:
   Choice(const ConvertRequest& request, const ConvertResult& result)
-      : is_free_(request.layout.name.empty()), best_(result), layout_(request.layout.name) {
+      : is_free_(!request.layout), best_(result), layout_(name_of(request.layout)) {
     for (const std::string_view layout : result.to->layouts) {
-      if (layout != request.layout.name) left_.push_back(layout);
+      if (layout != layout_) left_.push_back(layout);
     }
   }
 
@@ -182,8 +182,8 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
   // First in the models that the cameras have: nothing is fitted for that.
   for (const std::string_view layout : result.to->layouts) {
     if (choice.is_right()) break;
-    if (layout == request.layout.name || !stores_models(*result.to, layout, result)) continue;
-    other.layout = {result.to, std::string(layout)};
+    if (layout == name_of(request.layout) || !stores_models(*result.to, layout, result)) continue;
+    other.layout = FormatLayout::find(*result.to, layout);
     choice.consider(written_as(other, start, before, result), layout);
   }
   // A model that leaves a part of the lens out is no better way.
@@ -192,7 +192,7 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
       for (const StoredModel& stored : result.to->models) {
         if (!stored.stock || (is_wide && sees_ahead_only(stored.model))) continue;
         if (!layout_stores(*result.to, layout, stored.model)) continue;
-        other.layout = {result.to, std::string(layout)};
+        other.layout = FormatLayout::find(*result.to, layout);
         other.model = find_model(stored.model);
         choice.consider(written_as(other, start, before, result, Partial::kNothing), layout);
       }

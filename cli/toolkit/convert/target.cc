@@ -10,7 +10,7 @@ std::optional<Target> find_target(std::string_view name) {
   if (program == nullptr || !program->is_served()) return std::nullopt;
   Target target{find_format(program->format)};
   if (!program->consumer.empty()) target.program = consumers::find_consumer(program->consumer);
-  if (!program->layout.empty()) target.layout = {target.format, std::string(program->layout)};
+  target.layout = FormatLayout::find(*target.format, program->layout);
   target.extension = program->extension;
   return target;
 }

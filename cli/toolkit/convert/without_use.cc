@@ -17,7 +17,7 @@ struct Statement {
 };
 
 constexpr std::array kStatements = {
-    Statement{Code::kModeWithoutUse, [](const ConvertRequest& request) { return !request.mode.empty(); },
+    Statement{Code::kModeWithoutUse, [](const ConvertRequest& request) { return request.mode.has_value(); },
               [](const Format& format) { return !format.modes.empty(); }},
     Statement{Code::kRateWithoutUse, [](const ConvertRequest& request) { return request.frame_rate_hz.has_value(); },
               [](const Format& format) { return format.frame_rate; }},
@@ -44,9 +44,8 @@ Message without_use(const ConvertRequest& request, const Format& to) {
     }
     return {statement.useless, {users, to.id}};
   }
-  const auto& [owner, layout] = request.layout;
-  if (layout.empty() || owner == &to) return {};
-  return {Code::kLayoutWithoutUse, {owner->id, to.id}};
+  if (!request.layout || &request.layout->format() == &to) return {};
+  return {Code::kLayoutWithoutUse, {request.layout->format().id, to.id}};
 }
 
 }  // namespace fca

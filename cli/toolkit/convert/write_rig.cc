@@ -16,8 +16,8 @@ WriteOptions write_options(const ConvertRequest& request, const Base& base, std:
   WriteOptions options;
   options.keeps_layout = keeps_text(request, base);
   options.replaced = std::move(replaced);
-  options.sensor = request.mode;
-  options.layout = request.layout.name;
+  options.sensor = name_of(request.mode);
+  options.layout = name_of(request.layout);
   options.frame_rate_hz = request.frame_rate_hz;
   options.max_angle_rad = request.inputs.max_angle_rad;
   options.anew = request.rewrite;

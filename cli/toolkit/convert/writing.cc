@@ -223,10 +223,11 @@ void Writing::prove() {
 ModelChoice choice_of(const ConvertRequest& request, const Start& start, const Format& to) {
   ModelChoice choice{.request = request};
   choice.known = start.known.get();
-  choice.among = request.layout.name.empty() ? models_for(request, start.base, start.input.rig, to)
-                                             : models_of_layout(to, request.layout.name);
+  choice.among =
+      request.layout ? models_of_layout(to, request.layout->name()) : models_for(request, start.base, start.input.rig, to);
   const bool is_fresh = start.base.document == nullptr && to.cameras_held != nullptr;
-  choice.most_cameras = is_fresh ? to.cameras_held(start.input.rig, request.mode, request.layout.name) : to.most_cameras;
+  choice.most_cameras =
+      is_fresh ? to.cameras_held(start.input.rig, name_of(request.mode), name_of(request.layout)) : to.most_cameras;
   choice.same_format = start.input.format == &to && start.input.one_format;
   if (request.program == nullptr) return choice;
   choice.unread = request.program->writing.unread;

@@ -9,6 +9,7 @@
 #include <fca/formats/set_value.h>
 #include <fca/formats/verdict_value.h>
 #include <fca/toolkit/files.h>
+#include <fca/toolkit/format_word.h>
 #include <fca/toolkit/inputs.h>
 #include <fca/toolkit/status.h>
 
@@ -60,12 +61,6 @@ enum class ProvenanceComment : std::uint8_t { kInFreshFiles, kInAllFiles, kNone 
 
 struct ConvertResult;
 
-/// One of a format's layouts.
-struct FormatLayout {
-  const Format* format = nullptr;
-  std::string name = {};  ///< One of its Format::layouts; empty: none is asked for.
-};
-
 /// What there is a place for.
 struct OutputRoom {
   bool camera_files = true;   ///< Several files with cameras; else more than one is an error.
@@ -81,12 +76,12 @@ struct ConvertRequest {
   const Format* to = nullptr;  ///< Null: that of `into`.
   /// Who is to read the files first, of those that read the format; null: the format's own program.
   const consumers::Consumer* program = nullptr;
-  const ModelInfo* model = nullptr;  ///< Null: the input's, else the best that the format's own program reads.
-  std::string mode;                  ///< One of Format::modes ("stereo-inertial"); empty: the richest that the input serves.
-  FormatLayout layout;               ///< Empty: the base's, else the stock program's.
-  std::string into;                  ///< Path of the file whose text is edited; empty: none.
-  bool rewrite = false;              ///< A fresh file even where a text could be edited.
-  std::string extension;             ///< Of the file to be written, with its point, for formats with several syntaxes.
+  const ModelInfo* model = nullptr;    ///< Null: the input's, else the best that the format's own program reads.
+  std::optional<FormatMode> mode;      ///< Nothing: the richest that the input serves.
+  std::optional<FormatLayout> layout;  ///< Nothing: the base's, else the stock program's.
+  std::string into;                    ///< Path of the file whose text is edited; empty: none.
+  bool rewrite = false;                ///< A fresh file even where a text could be edited.
+  std::string extension;  ///< As in the written file's path, with its point. Formats with several syntaxes go by it.
   Objective objective = Objective::kRms;
   std::optional<int> degree;  ///< Of a fitted polynomial (ocamcalib); nothing: the lowest that is nearly as good as any.
   bool every_pixel = false;   ///< Errors are those of every pixel, not of a lattice of about 5,000 points.

@@ -15,7 +15,7 @@ namespace fca {
 struct Target {
   const Format* format = nullptr;
   const consumers::Consumer* program = nullptr;  ///< Who is to read the files; null: the format's own.
-  FormatLayout layout = {};                      ///< Of that program; empty: the usual one.
+  std::optional<FormatLayout> layout = {};       ///< Of that program; nothing: the usual one.
   std::string extension = {};                    ///< With its point, where it chooses the syntax; empty: the usual one.
 };
 
