@@ -21,6 +21,19 @@
 
 namespace fca {
 
+std::optional<text::Document> parse_calibration(text::Source source, Diagnostics& diagnostics) {
+  const Message known = looks_like(source.bytes, Parsed::kNo);
+  Diagnostics found;
+  const SourceRange where = {source.name, 0, 0};
+  std::optional<text::Document> document = text::parse_document(std::move(source), found);
+  if (!document && known.is_said()) {
+    diagnostics.add(known.code, known.arguments, where);
+    return std::nullopt;
+  }
+  for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
+  return document;
+}
+
 std::optional<DetectedFormat> detect_format(const text::Document& document, Diagnostics& diagnostics) {
   std::vector<DetectedFormat> surest;
   int score = 0;
@@ -32,7 +45,7 @@ std::optional<DetectedFormat> detect_format(const text::Document& document, Diag
   }
   const SourceRange where = {document.source().name, 0, 0};
   if (surest.empty()) {
-    const Message known = looks_like(document);
+    const Message known = looks_like(document.source().bytes, Parsed::kYes);
     diagnostics.add(known.is_said() ? known.code : Code::kFormatUnknown, known.arguments, where);
     return std::nullopt;
   }

@@ -2,44 +2,87 @@
 #include "known_formats.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/dialect.h>
 
 #include <array>
-#include <string_view>
+#include <cctype>
 
 namespace fca {
 
 namespace {
 
-/// A format and two keys that its files have. The second stands in the first one's mapping if that is one, else beside it.
+/// A program's file, and two words that stand in it and together in no other's. The rows are tried in this order.
 struct Known {
   Code what;
-  std::string_view key;
-  std::string_view second_key;
+  std::string_view word;
+  std::string_view second_word;
+  bool has_no_syntax = false;  ///< It is neither YAML, JSON, lines of words nor OpenCV's XML.
 };
 
 constexpr std::array kKnown = {
     Known{Code::kLooksLikeMultiCol, "Camera.nrpol", "Camera.nrinvpol"},
+    Known{Code::kLooksLikeMultiColRig, "CameraSystem.nrCams", "CameraSystem.cam1_1"},
     Known{Code::kLooksLikeOv2Slam, "Camera.fxl", "Camera.model_left"},
     Known{Code::kLooksLikeD2Slam, "estimation_mode", "self_id"},
+    Known{Code::kLooksLikeLarvio, "T_cam_imu", "if_FEJ"},
+    Known{Code::kLooksLikeOkvis, "T_SC", "image_dimension"},
+    Known{Code::kLooksLikeOkvis, "camera_parameters", "imu_parameters"},
+    Known{Code::kLooksLikeOkvis, "camera_params", "camera_rate"},
+    Known{Code::kLooksLikeNcamera, "T_B_C", "cameras"},
+    Known{Code::kLooksLikeNcamera, "T_C_B", "cameras"},
+    Known{Code::kLooksLikeNcamera, "sensor_type: NCAMERA", "sensors"},
+    Known{Code::kLooksLikeNcamera, "distortion", "label"},
+    Known{Code::kLooksLikeFastLivoCamera, "cam_model", "cam_width"},
+    Known{Code::kLooksLikeFastLivoPoses, "extrin_calib", "Pcl"},
+    Known{Code::kLooksLikeStella, "Camera:", "setup:"},
+    Known{Code::kLooksLikeMrcal, "'intrinsics'", "'imagersize'"},
+    Known{Code::kLooksLikeMrcal, "\"intrinsics\"", "\"imagersize\""},
+    Known{Code::kLooksLikeMast3r, "calibration: [", "height:"},
+    Known{Code::kLooksLikeCuvslamRig, "stereo_cameras", "left_camera"},
+    Known{Code::kLooksLikeCuvslamRig, "rgb_camera", "depth_camera"},
+    Known{Code::kLooksLikeNcore, "T_sensor_rig", "shutter_type"},
+    Known{Code::kLooksLikeDepthai, "cameraData", "boardName"},
+    Known{Code::kLooksLikeDepthaiBoard, "board_config", "cameras"},
+    Known{Code::kLooksLikeDepthaiBoard, "boardConf", "boardName"},
+    Known{Code::kLooksLikeRealsense, "Intrinsic of", "PPX", true},
+    Known{Code::kLooksLikeRealsense, "rs2_intrinsics", "ppx", true},
+    Known{Code::kLooksLikeZed, "[LEFT_CAM_HD]", "[STEREO]"},
+    Known{Code::kLooksLikeZed, "[LEFT_CAM_FHD1200]", "[STEREO]"},
+    Known{Code::kLooksLikeOpenIcc, "intrinsic_type", "intrinsics"},
+    Known{Code::kLooksLikeTheia, "CameraIntrinsicsPrior", "focal_length"},
+    Known{Code::kLooksLikeMetashape, "<calibration>", "<projection>", true},
+    Known{Code::kLooksLikeMetashape, "<chunk", "<sensor", true},
+    Known{Code::kLooksLikeOpenSfm, "projection_type", "width"},
+    Known{Code::kLooksLikeKitti, "S_rect_00:", "P_rect_00:"},
+    Known{Code::kLooksLikeKitti, "P0:", "P1:"},
+    Known{Code::kLooksLikePyOcamCalib, "taylor_coefficient", "distortion_center"},
+    Known{Code::kLooksLikeAdapterOcam, "unprojection", "projection"},
     Known{Code::kLooksLikePlainLists, "camera_matrix", "distortion_coefficients"},
     Known{Code::kLooksLikePlainLists, "camera_matrix", "dist_coeff"},
     Known{Code::kLooksLikePlainLists, "camera_matrix", "dist_coeffs"},
-    Known{Code::kLooksLikePyOcamCalib, "taylor_coefficient", "distortion_center"},
+    Known{Code::kLooksLikeRtabMap, "Rtabmap\\", "[Core]"},
+    Known{Code::kLooksLikeCalibrationInput, "BoardSize_Width", "Calibrate_Pattern"},
+    Known{Code::kLooksLikeImageList, "<opencv_storage>", "<imagelist>"},
+    Known{Code::kLooksLikeImageList, "<opencv_storage>", "<images>"},
 };
+
+bool is_of_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// Does it stand there with nothing before and behind it that would make it another word?
+bool has_word(std::string_view text, std::string_view word) {
+  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    const bool begins = at == 0 || !is_of_a_word(word.front()) || !is_of_a_word(text[at - 1]);
+    if (begins && (end == text.size() || !is_of_a_word(word.back()) || !is_of_a_word(text[end]))) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
-Message looks_like(const text::Document& document) {
-  constexpr text::Dialect kDialect = text::Dialect::kOpenCv;
-  const text::Node& root = document.root();
+Message looks_like(std::string_view text, Parsed parsed) {
   for (const Known& known : kKnown) {
-    const text::Node* first = text::find(root, known.key, kDialect);
-    if (first == nullptr) continue;
-    const bool inside = first->is_mapping();
-    if (text::find(inside ? *first : root, known.second_key, kDialect) == nullptr) continue;
-    return {inside ? Code::kFormatLooksLikeKeysInside : Code::kFormatLooksLikeKeysBeside,
-            {Message{known.what}, known.key, known.second_key}};
+    if (parsed == Parsed::kNo && !known.has_no_syntax) continue;
+    if (has_word(text, known.word) && has_word(text, known.second_word)) return {known.what, {known.word, known.second_word}};
   }
   return {};
 }

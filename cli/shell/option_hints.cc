@@ -47,8 +47,6 @@ constexpr std::array kHints = {
 
     // Files and formats, whichever, and what they cannot hold.
     OptionHint{Code::kFormatUnknown, text::Part::kFix, kListedFormats},
-    OptionHint{Code::kFormatLooksLikeKeysBeside, text::Part::kFix, kListedFormats},
-    OptionHint{Code::kFormatLooksLikeKeysInside, text::Part::kFix, kListedFormats},
     OptionHint{Code::kFormatAmbiguous, text::Part::kFix, "say which with --from"},
     OptionHint{Code::kFormatNeedsSize, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
     OptionHint{Code::kSetWrongType, text::Part::kText, "--set {0} wants {1}, not '{2}'"},

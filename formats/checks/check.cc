@@ -232,7 +232,7 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options, s
   CheckReport report;
   checks::Findings findings(report);
   Diagnostics diagnostics;
-  std::optional<text::Document> document = text::parse_document(source, diagnostics);
+  std::optional<text::Document> document = parse_calibration(source, diagnostics);
   if (!document) {
     checks::take_over(diagnostics, source, false, findings);
     report.is_calibration = options.from != nullptr || checks::mentions_calibration(source.bytes);

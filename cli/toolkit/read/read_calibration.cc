@@ -175,7 +175,7 @@ std::optional<Calibration> read_as_stated(const Inputs& given, Files& files, Dia
   for (const std::string& path : paths) {
     std::optional<text::Source> source = files.read(path, diagnostics);
     if (!source) return std::nullopt;
-    std::optional<text::Document> document = text::parse_document(*std::move(source), diagnostics);
+    std::optional<text::Document> document = parse_calibration(*std::move(source), diagnostics);
     if (!document) return std::nullopt;
     documents.push_back(*std::move(document));
     if (!add_parts(inputs.format, files, documents, diagnostics)) return std::nullopt;

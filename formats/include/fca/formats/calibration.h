@@ -29,6 +29,9 @@ struct DetectedFormat {
   Message why = {};
 };
 
+/// As text::parse_document(); a text of another program, without a syntax that is parsed, is named.
+[[nodiscard]] std::optional<text::Document> parse_calibration(text::Source source, Diagnostics& diagnostics);
+
 /// The format whose content the document has. No format, or a tie, is an error.
 [[nodiscard]] std::optional<DetectedFormat> detect_format(const text::Document& document, Diagnostics& diagnostics);
 
