@@ -33,7 +33,6 @@ constexpr std::array kTwice = {
     Twice{Code::kWoodscapeJsonCarla, Code::kPythonKeyMissing, false, true},
     Twice{Code::kCalibResultsInverseMissing, Code::kOcamCoefficientCount},
     Twice{Code::kOpencvReadWithout, Code::kCvDistortionMissing},
-    Twice{Code::kOpencvSkew, Code::kCvSkewUnused, true, true},
     Twice{Code::kOpencvSkewKept, Code::kCvSkewUnused, true, true},
     Twice{Code::kRosSkewKept, Code::kRosSaysSkewUnused, true},
     Twice{Code::kOpencvCameraCount, Code::kCvCameraCount},

@@ -21,6 +21,7 @@ constexpr std::array kModels = {
     StoredModel{"mei-skew", "omnidir with K(0, 1)", true, "cv::omnidir", {}, {}, true},
     StoredModel{"radtan-skew", "5 coefficients with K(0, 1)", false, "cv::projectPoints without the skew", {}},
     StoredModel{"rational-skew", "8 coefficients with K(0, 1)", false, "cv::projectPoints without the skew", {}},
+    StoredModel{"opencv14-skew", "12 or 14 coefficients with K(0, 1)", false, "cv::projectPoints without the skew", {}},
     StoredModel{"kb4-skew", "fisheye with K(0, 1)", false, "cv::fisheye without the skew", {}},
 };
 

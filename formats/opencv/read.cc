@@ -92,12 +92,7 @@ class CalibrationReader {
     const std::size_t place = keys.transposed ? 3 : 1;
     const double skew_px = K.values[place];
     if (skew_px == 0.0) return true;
-    const std::optional<CameraModel> skewed = with_skew(model, 0.0);
-    if (!skewed) {
-      reader_.say(*K.nodes[place], Code::kOpencvSkew, {what, skew_px, model_info(model).id});
-      return false;
-    }
-    model = *skewed;
+    model = with_skew(model, 0.0).value();  // of each model that OpenCV has
     if (!set(K, place, what, "skew", model, reader_)) return false;
     if (kind_of(model) != Kind::kOmnidir) reader_.say(*K.nodes[place], Code::kOpencvSkewKept, {what, skew_px});
     return true;

@@ -21,6 +21,7 @@ constexpr std::array kModels = {
     StoredModel{"kb4", "equidistant", true, "image_geometry (rays inside 90 deg)", {}},
     StoredModel{"radtan-skew", "plumb_bob with K(0, 1)", false, "image_geometry without the skew", {}},
     StoredModel{"rational-skew", "rational_polynomial with K(0, 1)", false, "image_geometry without the skew", {}},
+    StoredModel{"opencv14-skew", "rational_polynomial of 12 or 14 with K(0, 1)", false, "image_geometry without the skew", {}},
     StoredModel{"kb4-skew", "equidistant with K(0, 1)", false, "image_geometry without the skew", {}},
     StoredModel{"pinhole", "plumb_bob with zeros", true, "image_geometry", {}},
 };

@@ -69,15 +69,10 @@ class CameraReader {
     take(5, "cy");
     const double skew_px = info_.K->values[1];
     if (skew_px == 0.0) return good;
-    const std::optional<CameraModel> skewed = with_skew(model, 0.0);
-    if (skewed) {
-      model = *skewed;
-      take(1, "skew");
-      reader_.say(*info_.K->nodes[1], Code::kRosSkewKept, {skew_px});
-    } else {
-      reader_.say(*info_.K->nodes[1], Code::kRosSkew, {skew_px});
-    }
-    return good && skewed;
+    model = with_skew(model, 0.0).value();  // of each model that ROS has
+    take(1, "skew");
+    reader_.say(*info_.K->nodes[1], Code::kRosSkewKept, {skew_px});
+    return good;
   }
 
   std::optional<Family> family() {

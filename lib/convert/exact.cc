@@ -206,6 +206,7 @@ std::string_view contained_model(std::string_view id) {
       {Opencv14::kId, Rational::kId},
       {Skewed<Radtan>::kId, Radtan::kId},
       {Skewed<Rational>::kId, Rational::kId},
+      {Skewed<Opencv14>::kId, Opencv14::kId},
       {Skewed<Kb4>::kId, Kb4::kId},
       {Skewed<Mei>::kId, Mei::kId},
   };

@@ -89,7 +89,9 @@ TEST(OpenCvRead, NoTermIsDropped) {
             model_of("radtan-skew", {500.0, 501.0, 320.0, 240.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5}));
   EXPECT_EQ(model(skewed + D(4, "0.1, 0., 0., 0.") + "xi: 1.5\n"),
             model_of("mei-skew", {500.0, 501.0, 320.0, 240.0, 1.5, 0.1, 0.0, 0.0, 0.0, 0.5}));
-  EXPECT_EQ(codes(skewed + D(12, "0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.25, 0., 0., 0.")), "skew");
+  EXPECT_EQ(model(skewed + D(12, "0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.25, 0., 0., 0.")),
+            model_of("opencv14-skew",
+                     {500.0, 501.0, 320.0, 240.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.25, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5}));
   for (const char* count : {"1", "2", "3", "6", "7", "9", "13"}) {
     std::string zeros = "0.5";
     for (int i = 1; i < std::stoi(count); ++i) zeros += ", 0.";

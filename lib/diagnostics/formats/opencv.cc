@@ -48,10 +48,6 @@ std::span<const CodeInfo> opencv_codes() {
       warning(Code::kOpencvMatlabOrigin, "matlab-origin",
               "{0} is MATLAB's, which counts pixels from 1; its principal point is read as it stands",
               "if nothing has subtracted 1 from it yet (stereoParametersToOpenCV does), subtract 1 from both numbers"),
-      error(Code::kOpencvSkew, "skew",
-            "{0} has a skew of {1} px at (0, 1), which no model here has beside {2}'s numbers; cv::projectPoints ignores it, "
-            "others do not",
-            "calibrate without skew, or write 0 there if the program that uses the file ignores it"),
       reader_warning(Code::kOpencvSkewKept, "skew",
                      "{0} has a skew of {1} px at (0, 1), which is a part of the camera; cv::projectPoints and cv::fisheye "
                      "ignore it",

@@ -55,11 +55,11 @@ std::span<const CodeInfo> ros_codes() {
       error(Code::kRosMatrixTransposed, "matrix-transposed",
             "camera_matrix is transposed: its principal point stands in the last row",
             "write fx 0 cx, 0 fy cy, 0 0 1 row by row"),
-      error(Code::kRosSkew, "skew",
-            "camera_matrix has a skew of {0} px at (0, 1), which no model here has beside 12 coefficients; image_geometry "
-            "ignores it, "
-            "others do not",
-            "calibrate without skew, or write 0 there"),
+      about_reader(
+          error(Code::kRosPairVertical, "stereo-vertical",
+                "{0} sits {1:.3} cm {2} the other camera of its pair (projection_matrix(1, 3)), and stereo_image_proc looks "
+                "for matches along the rows only",
+                "turn both images by 90 deg and calibrate those; each image alone is rectified as it is meant")),
       reader_warning(Code::kRosSkewKept, "skew",
                      "camera_matrix has a skew of {0} px at (0, 1), which is a part of the camera; image_geometry ignores it",
                      "write 0 there if all programs that use the file ignore it"),

@@ -43,7 +43,7 @@ concept HasShapedTerms = requires(const double* in, const std::array<double, 2>&
 };
 
 /// As many as any model may have.
-inline constexpr std::size_t kMostParameters = 18;
+inline constexpr std::size_t kMostParameters = 19;
 inline constexpr std::size_t kMostTerms = 6;
 
 /// A model's parameters; 0 behind its own.

@@ -52,7 +52,7 @@ struct TypeList {
 
 /// Every model fca knows, in the order in which they are listed to people.
 using ModelList = internal::TypeList<Pinhole, Radtan, Rational, Kb4, Ucm, Eucm, Ds, Mei, Fov, Ocamcalib, Woodscape, Opencv14,
-                                     Skewed<Radtan>, Skewed<Rational>, Skewed<Kb4>, Skewed<Mei>>;
+                                     Skewed<Radtan>, Skewed<Rational>, Skewed<Opencv14>, Skewed<Kb4>, Skewed<Mei>>;
 
 /// Any camera model with its parameters. Compares by value.
 using CameraModel = ModelList::Variant;

@@ -15,6 +15,7 @@
 #include <fca/models/kb4.h>
 #include <fca/models/mei.h>
 #include <fca/models/model_traits.h>
+#include <fca/models/opencv14.h>
 #include <fca/models/radtan.h>
 #include <fca/models/rational.h>
 
@@ -34,6 +35,11 @@ template <>
 struct SkewedName<Rational> {
   static constexpr std::string_view kId = "rational-skew";
   static constexpr std::string_view kTitle = "Pinhole with rational radial-tangential distortion and skew";
+};
+template <>
+struct SkewedName<Opencv14> {
+  static constexpr std::string_view kId = "opencv14-skew";
+  static constexpr std::string_view kTitle = "OpenCV's model with 14 coefficients and skew";
 };
 template <>
 struct SkewedName<Kb4> {
