@@ -55,7 +55,7 @@ bool columns_of(const double* p, std::span<const Correspondence> samples, const 
     double missing = 0.0;
     for (std::size_t k = 0; k < kBlock; ++k) {
       const double ray[3] = {block.x[k], block.y[k], block.z[k]};
-      double pixel[2] = {};
+      double pixel[2] = {block.u[k], block.v[k]};  // near which the model images the ray
       double du[kCount] = {};
       double dv[kCount] = {};
       missing += M::formula_and_slopes(parameters.data(), ray, pixel, du, dv) ? 0.0 : 1.0;

@@ -162,7 +162,7 @@ class FitTargetOf : public FitTarget {
     if constexpr (HasSlopes<M>) {
       for (std::size_t k = 0; k < samples.size(); ++k) {
         const Correspondence& s = samples[k];
-        std::array<double, 2> pixel;
+        std::array<double, 2> pixel = s.pixel;
         std::array<double, kCount> du;
         std::array<double, kCount> dv;
         if (!M::formula_and_slopes(p, s.ray.data(), pixel.data(), du.data(), dv.data())) return false;

@@ -77,8 +77,8 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///                              of p, a camera with that centre.
 ///   formula_and_slopes(p, ray, pixel, du, dv)
 ///                              (optional) formula for double and a unit ray, and the derivatives of u and v by each parameter,
-///                              where that is much faster than automatic differentiation. Where it returns false it may
-///                              leave anything in them.
+///                              where that is much faster than automatic differentiation. `pixel` enters as a guess. Where
+///                              it returns false it may leave anything in them.
 ///   kTerms, terms(ray, along_u, along_v), from_terms(coefficients, aspect, point, p)
 ///                              (optional) for a model that is linear in all else once fy / fx is given:
 ///                              u = cx + c . along_u,  v = cy + aspect c . along_v; false where a ray has no pixel. Such a

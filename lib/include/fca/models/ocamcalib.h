@@ -71,7 +71,7 @@ struct Ocamcalib : internal::RayMap<Ocamcalib> {
     double rho_by_a0 = 0.0;
     if (r > 0.0) {
       const Polynomial g = ahead(p + kA);
-      if (!radius_of_ray<false>(g, growth(p + kA), r, ray[2], rho)) return false;
+      if (!radius_of_ray<false>(g, growth(p + kA), r, ray[2], radius_of_pixel(p, pixel), rho)) return false;
       down = ray[1] / r;
       right = ray[0] / r;
       rho_by_a0 = r / residual_slope(g, r, ray[2], rho);
@@ -186,7 +186,7 @@ struct Ocamcalib : internal::RayMap<Ocamcalib> {
     if (value_of(r2) > 0.0) {
       const T r = sqrt(r2);
       double root = 0.0;
-      if (!radius_of_ray<kWithinDomain>(ahead(p + kA), growth(p + kA), value_of(r), value_of(ray[2]), root)) return false;
+      if (!radius_of_ray<kWithinDomain>(ahead(p + kA), growth(p + kA), value_of(r), value_of(ray[2]), 0.0, root)) return false;
       // One more step of Newton's method in T, from a constant: its derivatives are those of the implicit function.
       T f = p[kA + kTerms - 1];
       for (std::size_t k = kTerms - 1; k-- > 0;) f = f * T(root) + p[kA + k];
@@ -210,14 +210,34 @@ struct Ocamcalib : internal::RayMap<Ocamcalib> {
     return slope * r - z;
   }
 
-  /// The rho of a ray: g(rho) r = z rho. First Newton's method from an equidistant lens, nearly always enough; else the first
-  /// root, searched for.
+  static double radius_of_pixel(const double* p, const double* pixel) {
+    const double determinant = p[kC] - p[kD] * p[kE];
+    const double du = pixel[0] - p[kCx];
+    const double dv = pixel[1] - p[kCy];
+    return std::hypot(dv - p[kD] * du, p[kC] * du - p[kE] * dv) / determinant;
+  }
+
+  /// The rho of a ray: g(rho) r = z rho. Newton's method from an equidistant lens, nearly always enough, then from a guess if
+  /// there is one (not 0); else the first root, searched for.
   template <bool kWithinDomain>
-  static bool radius_of_ray(const Polynomial& g, const Polynomial& h, double r, double z, double& rho) {
+  static bool radius_of_ray(const Polynomial& g, const Polynomial& h, double r, double z, double guess, double& rho) {
     const double length = std::sqrt(r * r + z * z);
     const double sine = r / length;
     const double cosine = z / length;
-    rho = g[0] * std::atan2(r, z);
+    if (found_by_newton<kWithinDomain>(g, h, sine, cosine, g[0] * std::atan2(r, z), rho)) return true;
+    if (guess != 0.0 && found_by_newton<kWithinDomain>(g, h, sine, cosine, guess, rho)) return true;
+    // g r - z rho is positive up to its first root; inside the domain it has no other.
+    Polynomial residual = g;
+    for (double& coefficient : residual) coefficient *= sine;
+    residual[1] -= cosine;
+    rho = positive_until(residual, kInfinity);
+    if (!std::isfinite(rho) || !(rho > 0.0)) return false;
+    return evaluate_polynomial(h, rho) > 0.0 && (!kWithinDomain || positive_on(h, rho));
+  }
+
+  template <bool kWithinDomain>
+  static bool found_by_newton(const Polynomial& g, const Polynomial& h, double sine, double cosine, double start, double& rho) {
+    rho = start;
     constexpr int kMaxSteps = 12;
     for (int i = 0; i < kMaxSteps; ++i) {
       const double slope = residual_slope(g, sine, cosine, rho);
@@ -228,13 +248,7 @@ struct Ocamcalib : internal::RayMap<Ocamcalib> {
       if (kWithinDomain ? positive_on(h, rho) : evaluate_polynomial(h, rho) > 0.0) return true;
       break;
     }
-    // g r - z rho is positive up to its first root; inside the domain it has no other.
-    Polynomial residual = g;
-    for (double& coefficient : residual) coefficient *= sine;
-    residual[1] -= cosine;
-    rho = positive_until(residual, kInfinity);
-    if (!std::isfinite(rho) || !(rho > 0.0)) return false;
-    return evaluate_polynomial(h, rho) > 0.0 && (!kWithinDomain || positive_on(h, rho));
+    return false;
   }
 };
 
