@@ -342,7 +342,7 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
     const Code kind = code_of(finding);
     if (finding.severity == Severity::kNote) continue;
     // What programs refuse and misread, their proofs say, in numbers.
-    const bool cannot_be_asked = !facts.is_read || kind == Code::kProgramOtherFormat;
+    const bool cannot_be_asked = !facts.is_read || kind == Code::kProgramOtherFormat || kind == Code::kRosPairVertical;
     const About about = info(kind).about;
     const bool counts = about == About::kMeaning || (about == About::kPoses && states_poses(facts)) ||
                         (cannot_be_asked && finding.severity == Severity::kError);

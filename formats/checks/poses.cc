@@ -154,6 +154,21 @@ void check_stereo_order(const Subject& subject, Findings& findings) {
                place_of_pair(subject));
 }
 
+/// A camera of a pair whose rectified images have matches along their columns.
+void check_rectified_order(const Subject& subject, Findings& findings) {
+  const Rig& rig = subject.rig();
+  if (!subject.is("ros")) return;
+  for (std::size_t i = 0; i < rig.poses.size(); ++i) {
+    const PoseEdge& edge = rig.poses[i];
+    const Camera* camera = rig.find_camera(edge.b);
+    if (camera == nullptr || rig.find_camera(edge.a) != nullptr || edge.T_a_b(1, 3) == 0.0) continue;
+    constexpr double kCmPerM = 100.0;
+    const double below = edge.T_a_b(1, 3);
+    findings.add(Code::kRosPairVertical, {camera->name, kCmPerM * std::abs(below), below > 0.0 ? "below" : "above"},
+                 subject.places.pose(i, 1, 3));
+  }
+}
+
 /// "0.65 m above the ground", "3.2 m below the ground"
 Message above_ground(double height) {
   return {height < 0.0 ? Code::kBelowGround : Code::kAboveGround, {in_metres(std::abs(height))}};
@@ -194,6 +209,7 @@ bool check_distances(const Subject& subject, Findings& findings) {
   if (rig.baseline_m && too_far(subject, *rig.baseline_m) && !name_bf(subject, findings))
     say_distance(*rig.baseline_m, Code::kBaselineTooLong, {*rig.baseline_m}, subject.places.baseline(), findings);
   check_stereo_order(subject, findings);
+  check_rectified_order(subject, findings);
   check_vehicle_direction(subject, findings);
   return !rig.poses.empty() || rig.baseline_m;
 }

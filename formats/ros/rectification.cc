@@ -3,6 +3,7 @@
 
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/rotation.h>
+#include <fca/rig/stereo_order.h>
 
 #include <algorithm>
 #include <cmath>
@@ -204,8 +205,8 @@ Rectification rectification_of(const Rig& rig) {
   if (!T) return result;
   const auto alike = [&](std::size_t place) { return result.cameras[0].P.at(place) == result.cameras[1].P.at(place); };
   if (states_pair(rig, stated[0], stated[1], *T) && alike(0) && alike(5) && alike(6)) return result;
-  result.chosen = choose(rig, *T, result);
-  result.not_stereo = !result.chosen;
+  result.is_vertical = second_below_first(rig).has_value();
+  result.chosen = !result.is_vertical && choose(rig, *T, result);
   if (result.chosen) return result;
   for (std::size_t i = 0; i < 2; ++i) result.cameras[i] = as_stated(rig.cameras[i], {{}, stated[i].projection});
   return result;

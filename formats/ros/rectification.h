@@ -21,15 +21,15 @@ struct Rectification {
   std::vector<Rectified> cameras;  ///< As in the rig.
   /// The first two cameras are a pair whose rectified image nobody stated: it was chosen here.
   bool chosen = false;
-  /// Their pose is known, and no rectified image holds what both see (they look more than 45 deg away from it).
-  bool not_stereo = false;
+  /// They stand one above the other, and nobody stated that they are a pair: stereo_image_proc matches along rows.
+  bool is_vertical = false;
   /// The pose of a chosen pair is no exact rotation; the nearest one was taken: T_second_first as the files say it.
   std::optional<PoseEdge> restated;
 };
 
 /// R and P are those of the pair that the files state (`extra_fields` and poses in rectified frames), where these still agree
-/// with the poses of the rig; else of two cameras: both turned by half the rotation between them, and then so that their rows
-/// (of cameras above each other: their columns) lie along the baseline. Further cameras are rectified alone.
+/// with the poses of the rig; else of two cameras beside each other that see something in common: both turned by half the
+/// rotation between them, and then so that their rows lie along the baseline. Further cameras are rectified alone.
 [[nodiscard]] Rectification rectification_of(const Rig& rig);
 
 }  // namespace fca::ros

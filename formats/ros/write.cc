@@ -240,6 +240,7 @@ std::optional<bool> names_ini(std::string_view extension) {
 
 Message headline(const Rig& rig, const Rectification& rectification) {
   if (rig.cameras.size() == 1) return {Code::kRosWroteCamera};
+  if (rectification.is_vertical) return {Code::kRosWroteNoPair, {rig.cameras[0].name, rig.cameras[1].name}};
   if (!rectification.chosen) return {Code::kRosWroteCameras};
   const Projection& P = rectification.cameras.front().P;
   return {Code::kRosWrotePair, {P[0], P[2], P[6], rig.cameras[0].name, rig.cameras[1].name}};

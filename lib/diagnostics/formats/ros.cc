@@ -117,6 +117,9 @@ std::span<const CodeInfo> ros_codes() {
       clause(Code::kRosAnotherSyntax, "another syntax is written"),
       clause(Code::kRosWroteCamera, "a camera_info for ROS"),
       clause(Code::kRosWroteCameras, "one camera_info per camera for ROS"),
+      clause(Code::kRosWroteNoPair,
+             "one camera_info per camera for ROS, and {0} and {1} no pair: one stands above the other, and stereo_image_proc "
+             "matches along rows"),
       clause(Code::kRosWrotePair,
              "camera_info files for ROS, {3} and {4} a pair (rectified to fx = fy = {0}, cx = {1}, cy = {2})"),
   };

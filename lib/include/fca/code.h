@@ -952,6 +952,7 @@ enum class Code : std::uint16_t {
   kRosAnotherSyntax,
   kRosWroteCamera,
   kRosWroteCameras,
+  kRosWroteNoPair,
   kRosWrotePair,
 
   // What Kalibr says to a file.
