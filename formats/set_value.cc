@@ -222,30 +222,36 @@ bool may_add_value(const Format& format, const text::Document& document, const s
   return owner != nullptr && !owner->entries.empty() && format.optional_value(document, key).has_value();
 }
 
-std::optional<text::Document> set_value(const Format& format, const text::Document& document, const KeyValue& setting,
-                                        const ReadOptions& options, Diagnostics& diagnostics) {
-  const auto parsed = [&](std::string bytes) {
-    return text::parse_document({document.source().name, std::move(bytes)}, diagnostics);
-  };
-  std::optional<text::Document> before = parsed(document.bytes());
-  if (!before) return std::nullopt;
-  const text::Entry* entry = find_scalar(*before, setting.key);
-  const bool added = may_add_value(format, *before, setting.key);
+std::optional<StatedRig> as_stated(const Format& format, const text::Document& document, const ReadOptions& options,
+                                   Diagnostics& diagnostics) {
+  const text::Document* parsed = document.edited() ? document.kept_edited() : &document;
+  std::optional<text::Document> now =
+      parsed != nullptr ? *parsed : text::parse_document({document.source().name, document.bytes()}, diagnostics);
+  if (!now) return std::nullopt;
+  std::optional<Rig> rig = rig_of(format, *now, options);
+  return StatedRig{*std::move(now), std::move(rig)};
+}
+
+std::optional<StatedRig> set_value(const Format& format, const StatedRig& before, const KeyValue& setting,
+                                   const ReadOptions& options, Diagnostics& diagnostics) {
+  const text::Document& document = before.document;
+  const std::optional<Rig>& rig = before.rig;
+  const text::Entry* entry = find_scalar(document, setting.key);
+  const bool added = may_add_value(format, document, setting.key);
   if (entry == nullptr && !added) {
-    refuse_key(*before, setting.key, diagnostics);
+    refuse_key(document, setting.key, diagnostics);
     return std::nullopt;
   }
-  const std::optional<Rig> rig = rig_of(format, *before, options);
   std::optional<text::Document> edited =
-      added ? with_added(*before, *format.optional_value(*before, setting.key), setting, diagnostics)
-            : with_other_value(*before, *entry, setting, diagnostics);
+      added ? with_added(document, *format.optional_value(document, setting.key), setting, diagnostics)
+            : with_other_value(document, *entry, setting, diagnostics);
   if (!edited) return std::nullopt;
-  const SourceRange where = added ? SourceRange{} : before->range(entry->value);
+  const SourceRange where = added ? SourceRange{} : document.range(entry->value);
   if (rig && !in_range(format, *rig, setting, where, diagnostics)) return std::nullopt;
-  std::optional<text::Document> after = parsed(edited->bytes());
+  std::optional<text::Document> after = text::parse_document({document.source().name, edited->bytes()}, diagnostics);
   if (!after) return std::nullopt;
-  const std::optional<Rig> changed = rig_of(format, *after, options);
-  if (is_of_layout(*before, setting.key) || (rig && !changed)) {
+  std::optional<Rig> changed = rig_of(format, *after, options);
+  if (is_of_layout(document, setting.key) || (rig && !changed)) {
     diagnostics.add(Code::kSetLayout, {setting.key});
     return std::nullopt;
   }
@@ -253,7 +259,7 @@ std::optional<text::Document> set_value(const Format& format, const text::Docume
     diagnostics.add(Code::kSetCalibration, {setting.key});
     return std::nullopt;
   }
-  return after;
+  return StatedRig{*std::move(after), std::move(changed)};
 }
 
 }  // namespace fca

@@ -6,53 +6,90 @@
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace fca {
 
 namespace {
 
-/// The frame rate that a document states with its edits; nothing where it states none.
-std::optional<double> frame_rate(const Format& format, const text::Document& document, const ReadOptions& options) {
-  Diagnostics ignored;
-  const std::optional<text::Document> now = text::as_edited(document);
-  const std::optional<Rig> rig = now ? format.read(std::span(&*now, 1), options, ignored) : std::nullopt;
+/// The frame rate that a rig states; nothing where it states none.
+std::optional<double> frame_rate(const std::optional<Rig>& rig) {
   return rig && !rig->cameras.empty() ? rig->cameras.front().frame_rate_hz : std::nullopt;
 }
 
-bool apply(const KeyValue& setting, const Format& format, const ReadOptions& options, std::optional<double> fps,
-           Written& written, Diagnostics& diagnostics) {
-  const auto has_key = [&setting](const Written::File& file) {
-    const std::optional<text::Document> now = text::as_edited(file.document);
-    return now && has_value(*now, setting.key);
-  };
-  const auto may_come = [&](const Written::File& file) {
-    const std::optional<text::Document> now = text::as_edited(file.document);
-    return now && may_add_value(format, *now, setting.key);
-  };
-  const bool nowhere = std::ranges::none_of(written.files, has_key);
-  const bool comes = nowhere && std::ranges::any_of(written.files, may_come);
-  for (Written::File& file : written.files) {
-    if (comes ? !may_come(file) : !nowhere && !has_key(file)) continue;
-    std::optional<text::Document> document = set_value(format, file.document, setting, options, diagnostics);
-    if (!document) return false;
-    if (fps && frame_rate(format, *document, options) != frame_rate(format, file.document, options)) {
+/// A written file that settings may change.
+class SetFile {
+ public:
+  SetFile(const Format& format, const ReadOptions& options, Written::File& file)
+      : format_(format), options_(options), file_(file) {
+    text::keep_edited(file_.document);
+  }
+
+  [[nodiscard]] bool has_key(const std::string& key) const {
+    const text::Document* document = now();
+    return document != nullptr && has_value(*document, key);
+  }
+
+  [[nodiscard]] bool may_come(const std::string& key) const {
+    const text::Document* document = now();
+    return document != nullptr && may_add_value(format_, *document, key);
+  }
+
+  /// False with an error. `fps`: the frame rate that was asked for, which the setting leaves as it is.
+  [[nodiscard]] bool set(const KeyValue& setting, std::optional<double> fps, Diagnostics& diagnostics) {
+    if (!stated_) stated_ = as_stated(format_, file_.document, options_, diagnostics);
+    if (!stated_) return false;
+    std::optional<StatedRig> after = set_value(format_, *stated_, setting, options_, diagnostics);
+    if (!after) return false;
+    if (fps && frame_rate(after->rig) != frame_rate(stated_->rig)) {
       diagnostics.add(Code::kSettingContradictsRate, {setting.key, setting.value, *fps});
       return false;
     }
-    file.document = *std::move(document);
+    stated_ = *std::move(after);
+    file_.document = stated_->document;
+    return true;
   }
-  std::erase_if(written.defaults, [&setting](const DefaultedValue& value) { return value.key == setting.key; });
-  return true;
+
+ private:
+  /// Null where the edits left no document.
+  [[nodiscard]] const text::Document* now() const {
+    return file_.document.edited() ? file_.document.kept_edited() : &file_.document;
+  }
+
+  const Format& format_;
+  const ReadOptions& options_;
+  Written::File& file_;
+  std::optional<StatedRig> stated_;  ///< Once something was set.
+};
+
+bool apply(const KeyValue& setting, std::optional<double> fps, std::vector<SetFile>& files, Diagnostics& diagnostics) {
+  const auto has_key = [&setting](const SetFile& file) { return file.has_key(setting.key); };
+  const auto may_come = [&setting](const SetFile& file) { return file.may_come(setting.key); };
+  const bool nowhere = std::ranges::none_of(files, has_key);
+  const bool comes = nowhere && std::ranges::any_of(files, may_come);
+  return std::ranges::all_of(files, [&](SetFile& file) {
+    const bool is_meant = comes ? may_come(file) : nowhere || has_key(file);
+    return !is_meant || file.set(setting, fps, diagnostics);
+  });
 }
 
 }  // namespace
 
 bool apply_settings(const ConvertRequest& request, const Format& format, Written& written, Diagnostics& diagnostics) {
+  if (request.settings.empty()) return true;
   ReadOptions options = read_options(request.inputs);
   options.join = false;           // each file by itself
   options.length_unit_m.reset();  // it is written in metres
+  std::vector<SetFile> files;
+  files.reserve(written.files.size());
+  for (Written::File& file : written.files) files.emplace_back(format, options, file);
   return std::ranges::all_of(request.settings, [&](const KeyValue& setting) {
-    return apply(setting, format, options, request.frame_rate_hz, written, diagnostics);
+    if (!apply(setting, request.frame_rate_hz, files, diagnostics)) return false;
+    std::erase_if(written.defaults, [&setting](const DefaultedValue& value) { return value.key == setting.key; });
+    return true;
   });
 }
 

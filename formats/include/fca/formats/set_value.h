@@ -21,14 +21,23 @@ struct KeyValue {
 /// Does the document of that format lack the value, and may it be added (Format::optional_value)?
 [[nodiscard]] bool may_add_value(const Format& format, const text::Document& document, const std::string& key);
 
+/// A document without edits, and the rig that it states; nothing where its format does not read it.
+struct StatedRig {
+  text::Document document;
+  std::optional<Rig> rig;
+};
+
+/// What a document of that format is with its edits; nothing with an error where that is no document.
+[[nodiscard]] std::optional<StatedRig> as_stated(const Format& format, const text::Document& document,
+                                                 const ReadOptions& options, Diagnostics& diagnostics);
+
 /// The document of that format with the scalar of a key saying something else, in the spelling of what stands there: quotes
 /// stay, a real stays a real ("30" becomes "30.0"), and our comment that the value is a default goes. A value that may be added
 /// is, behind the others of its group. Nothing with an error where there is no such key, where a word would replace a number or
 /// a number of another type an int, and where the rig that the file states would be another: calibrations are not corrected
 /// here.
-[[nodiscard]] std::optional<text::Document> set_value(const Format& format, const text::Document& document,
-                                                      const KeyValue& setting, const ReadOptions& options,
-                                                      Diagnostics& diagnostics);
+[[nodiscard]] std::optional<StatedRig> set_value(const Format& format, const StatedRig& before, const KeyValue& setting,
+                                                 const ReadOptions& options, Diagnostics& diagnostics);
 
 /// The names a key may have in a document, for messages.
 [[nodiscard]] std::vector<std::string> scalar_keys(const text::Document& document);
