@@ -32,16 +32,22 @@ Message disagreement(const ProofResult& proof) {
   return {Code::kPixelsDiffer, {proof.max_diff_px}};
 }
 
-/// As the files were written to be read. What the input was told to be is no matter.
-consumers::LoadOptions load_options(const Written& written, const std::string& file_name = {},
-                                    const std::optional<ImageSize>& image_size = {}) {
+/// As the files that say `rig` were written to be read. What the input was told to be is no matter.
+consumers::LoadOptions load_options(const Written& written, const Rig& rig) {
   ReadOptions reading;
   reading.opencv_model = written.opencv_model;
-  reading.image_size = image_size;
+  if (!rig.cameras.empty()) reading.image_size = rig.cameras.front().image_size;
   consumers::LoadOptions options = load_options(reading);
   options.sensor = written.sensor.empty() ? "mono" : written.sensor;
-  options.file_name = file_name;
   return options;
+}
+
+/// The output's name, for a program that goes by it: where that one was asked for, and where it is the right one.
+std::string name_for(const consumers::Consumer& program, const ConvertedFile& output, const ConvertRequest& request) {
+  const std::string_view right_name = program.writing.equidistant_file_name;
+  if (right_name.empty()) return {};
+  std::string name = std::filesystem::path(output.path).filename().string();
+  return &program == request.program || name == right_name ? name : std::string();
 }
 
 /// The program's first reason not to load the bytes; none if it loads them.
@@ -97,8 +103,8 @@ std::jthread prepare_programs(const Format& format) {
   return program == all.end() ? std::jthread() : in_background(program->prepare);
 }
 
-Message newly_refused(const Written& written, const text::Document* base, LoadedViews& views) {
-  const consumers::LoadOptions options = load_options(written);
+Message newly_refused(const Written& written, const Rig& rig, const text::Document* base, LoadedViews& views) {
+  const consumers::LoadOptions options = load_options(written, rig);
   for (const Written::File& file : written.files) {
     for (const std::string& id : file.programs) {
       const std::optional<consumers::Complaint> now = first_refusal(file.document.bytes(), id, options, views);
@@ -108,9 +114,9 @@ Message newly_refused(const Written& written, const text::Document* base, Loaded
   return {};
 }
 
-bool mend_kept_text(Written& written, LoadedViews& views, Diagnostics& diagnostics) {
+bool mend_kept_text(Written& written, const Rig& rig, LoadedViews& views, Diagnostics& diagnostics) {
   constexpr int kMostMends = 100;  // each is some runs of the program's reader
-  const consumers::LoadOptions options = load_options(written);
+  const consumers::LoadOptions options = load_options(written, rig);
   bool all_load = true;
   for (Written::File& file : written.files) {
     for (const std::string& id : file.programs) {
@@ -158,12 +164,8 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
     judged = true;
-    // The name counts for whoever goes by it and was asked for, and where it is the right one.
-    std::string file_name = std::filesystem::path(output.path).filename().string();
-    const bool has_right_name = !file_name.empty() && file_name == consumer->writing.equidistant_file_name;
-    if (consumer != request.program && !has_right_name) file_name.clear();
-    const std::optional<ImageSize> size = rig.cameras.empty() ? std::nullopt : rig.cameras.front().image_size;
-    const consumers::LoadOptions options = load_options(written, file_name, size);
+    consumers::LoadOptions options = load_options(written, rig);
+    options.file_name = name_for(*consumer, output, request);
     ProofResult proof = prove(
         *consumer, views.of(*consumer, output.bytes, options), rig, output.cameras,
         request.inputs.max_angle_rad.value_or(std::numbers::pi),

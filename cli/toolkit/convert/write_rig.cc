@@ -44,13 +44,13 @@ std::optional<Written> write_rig(const Calibration& source, const Rig& rig, cons
   std::optional<Written> written = write_calibration(*result.to, base.document, rig, options, result.diagnostics);
   if (!written || base.document == nullptr || !request.verify || request.rewrite) return written;
   const bool edited = written->files.front().document.edited();
-  const bool loads = (edited || base.into != nullptr) && mend_kept_text(*written, views, result.diagnostics);
+  const bool loads = (edited || base.into != nullptr) && mend_kept_text(*written, rig, views, result.diagnostics);
   if (loads || keeps_text(request, base)) return written;
   const bool asked_for = !options.layout.empty() || edited;
   // An input is to become a file that the program reads: OpenVINS' first line in a camchain is no base for Kalibr. A file that
   // is written into is its owner's, who has another program for it.
   const text::Document* owners = base.into != nullptr ? base.document : nullptr;
-  const Message refusal = asked_for ? newly_refused(*written, owners, views) : Message{};
+  const Message refusal = asked_for ? newly_refused(*written, rig, owners, views) : Message{};
   if (!refusal.is_said()) return written;
   options.anew = true;
   result.diagnostics.add(Code::kLayoutNotKept, {refusal});
