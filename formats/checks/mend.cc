@@ -81,10 +81,9 @@ bool is_apart_from_edits(const Mend& mend, const text::Document& document) {
 }
 
 /// What a program says to the document with a mend in it.
-consumers::ConsumerView view_after(text::Document document, const Mend& mend, const consumers::Consumer& program,
-                                   const consumers::LoadOptions& options) {
+consumers::ConsumerView view_after(text::Document document, const Mend& mend, const AskProgram& ask) {
   document.replace(mend.span, mend.text);
-  return program.load(document.bytes(), options);
+  return ask(document.bytes());
 }
 
 bool says(const std::vector<consumers::Complaint>& complaints, const Message& message) {
@@ -113,13 +112,13 @@ bool is_alike(const Message& a, const Message& b) {
 
 }  // namespace
 
-std::optional<Mend> find_mend(const text::Document& document, const consumers::Consumer& program,
-                              const consumers::LoadOptions& options, const consumers::Complaint& complaint) {
+std::optional<Mend> find_mend(const text::Document& document, const consumers::ConsumerView& view,
+                              const consumers::Complaint& complaint, const AskProgram& ask) {
   // Every try is a run of the program's parser; no real calibration is half as long.
   constexpr std::size_t kLongest = 512 * 1024;
   const bool binary = document.syntax() == text::Syntax::kBinary;  // no number in it has another spelling
   if (binary || document.source().bytes.size() > kLongest) return std::nullopt;
-  const std::vector<consumers::Complaint> before = program.load(document.bytes(), options).refusals;
+  const std::vector<consumers::Complaint>& before = view.refusals;
   const Message& said = complaint.facts;
   const auto is_like_it = [&said](const consumers::Complaint& each) { return is_alike(each.facts, said); };
   // Behind the header the program sees the file for the first time: it may go on to refuse something else.
@@ -127,7 +126,7 @@ std::optional<Mend> find_mend(const text::Document& document, const consumers::C
        {&without_mark, &checks::layout_mend, &checks::header_mend, &blanks_for_tabs}) {
     std::optional<Mend> mend = layout(document);
     if (mend && is_apart_from_edits(*mend, document) && says(before, said) &&
-        std::ranges::none_of(view_after(document, *mend, program, options).refusals, is_like_it))
+        std::ranges::none_of(view_after(document, *mend, ask).refusals, is_like_it))
       return mend;
   }
   // What is missing no other spelling of its owner brings: a camera whose name is put in quotes is only overlooked.
@@ -138,7 +137,7 @@ std::optional<Mend> find_mend(const text::Document& document, const consumers::C
   collect_scalars(*named, scalars);
   // The same complaint with another value in it is no progress.
   const auto helps = [&](const Mend& mend) {
-    const consumers::ConsumerView after = view_after(document, mend, program, options);
+    const consumers::ConsumerView after = view_after(document, mend, ask);
     return !says(after.refusals, said) && !says(after.warnings, said) &&
            std::ranges::all_of(after.refusals, [&](const consumers::Complaint& each) { return says(before, each.facts); });
   };

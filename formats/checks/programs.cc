@@ -81,7 +81,7 @@ class ProgramsCheck {
     if (loaded == attempts.end()) {
       say_refusals(*own, attempts);
     } else {
-      say_warnings(*own, loaded->mode, loaded->view);
+      say_warnings(*own, *loaded);
       say_refused_mode(*own, attempts);
     }
   }
@@ -170,10 +170,16 @@ class ProgramsCheck {
     findings_.add(Code::kProgramOtherFormat, {format_.title, program.program, how_to_write_for(program)}, whole_file());
   }
 
+  [[nodiscard]] std::optional<Mend> mend_of(const Consumer& program, const Attempt& attempt, const Complaint& complaint) const {
+    const consumers::LoadOptions options = asked(program, attempt.mode);
+    return find_mend(document_, attempt.view, complaint,
+                     [&](const std::string& bytes) { return program.load(bytes, options); });
+  }
+
   /// One refusal or warning, at its place, with the mend if there is a certain one.
-  void say(Finding finding, const Consumer& program, const std::string& mode, const Complaint& complaint) {
+  void say(Finding finding, const Consumer& program, const Attempt& attempt, const Complaint& complaint) {
     finding.where = place_of(complaint);
-    if (const std::optional<Mend> mend = find_mend(document_, program, asked(program, mode), complaint)) {
+    if (const std::optional<Mend> mend = mend_of(program, attempt, complaint)) {
       finding.kind = mend->fix.code;
       const text::Span line = document_.source().line_at(mend->span.offset);
       // A line that is put in before is wanted where the first one stands.
@@ -185,13 +191,13 @@ class ProgramsCheck {
     findings_.add(std::move(finding));
   }
 
-  void say_refusal(const Consumer& program, const std::string& mode, const Complaint& complaint) {
+  void say_refusal(const Consumer& program, const Attempt& attempt, const Complaint& complaint) {
     Finding finding;
     if (names_program(complaint)) {
       finding.facts = {Code::kProgramRefusesInItsWords, {complaint.facts}};
     } else {
       std::vector<Message> in_mode;
-      if (!mode.empty() && mode != "mono") in_mode = {{Code::kInMode, {mode}}};
+      if (!attempt.mode.empty() && attempt.mode != "mono") in_mode = {{Code::kInMode, {attempt.mode}}};
       finding.facts = {Code::kProgramRefuses, {program.program, in_mode, complaint.facts}};
     }
     if (has_fix(complaint)) {
@@ -199,7 +205,7 @@ class ProgramsCheck {
     } else if (calibration_ != nullptr && !calibration_->rig.cameras.empty()) {
       finding.remedy = {Code::kCorrectOrRewrite, {how_to_write_for(program)}};
     }
-    say(std::move(finding), program, mode, complaint);
+    say(std::move(finding), program, attempt, complaint);
   }
 
   void say_refusals(const Consumer& own, const std::vector<Attempt>& attempts) {
@@ -221,7 +227,7 @@ class ProgramsCheck {
       return;
     }
     if (raise_wrong_parser()) return;
-    for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i) say_refusal(own, fewest->mode, refusals[i]);
+    for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i) say_refusal(own, *fewest, refusals[i]);
     say_more(refusals.size(), Code::kProgramRefusesMore);
   }
 
@@ -259,8 +265,9 @@ class ProgramsCheck {
                   place_of(refusals.front()));
   }
 
-  void say_warnings(const Consumer& own, const std::string& mode, const ConsumerView& view) {
+  void say_warnings(const Consumer& own, const Attempt& attempt) {
     if (format_.reader_warns) return;
+    const ConsumerView& view = attempt.view;
     for (std::size_t i = 0; i < std::min(kMostSaid, view.warnings.size()); ++i) {
       const Complaint& warning = view.warnings[i];
       Finding finding;
@@ -274,7 +281,7 @@ class ProgramsCheck {
         finding.outcome = {Code::kWhatNeedsItStops};
         finding.remedy = warning.facts;
       }
-      say(std::move(finding), own, mode, warning);
+      say(std::move(finding), own, attempt, warning);
     }
     say_more(view.warnings.size(), Code::kProgramMisreadsMore);
   }
@@ -316,7 +323,7 @@ class ProgramsCheck {
     finding.severity = Severity::kWarning;
     finding.facts = {Code::kModeRefused, {mode, own.program, modes, refusals.front().facts, and_more(refusals)}};
     finding.where = place_of(refusals.front());
-    if (const std::optional<Mend> mend = find_mend(document_, own, asked(own, mode), refusals.front())) {
+    if (const std::optional<Mend> mend = mend_of(own, *meant, refusals.front())) {
       finding.remedy = mend->fix;
       finding.mend = SpanEdit{mend->span, mend->text};
     }

@@ -2,6 +2,7 @@
 #include "loaded_views.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace fca {
 
@@ -12,6 +13,11 @@ const consumers::ConsumerView& LoadedViews::of(const consumers::Consumer& progra
   if (same != loaded_.end()) return same->view;
   loaded_.push_back({&program, bytes, options, program.load(bytes, options)});
   return loaded_.back().view;
+}
+
+void LoadedViews::add(const consumers::Consumer& program, std::string bytes, const consumers::LoadOptions& options,
+                      consumers::ConsumerView view) {
+  loaded_.push_back({&program, std::move(bytes), options, std::move(view)});
 }
 
 }  // namespace fca

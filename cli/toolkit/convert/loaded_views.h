@@ -15,6 +15,9 @@ class LoadedViews {
   /// As Consumer::load(). The view stays where it is.
   [[nodiscard]] const consumers::ConsumerView& of(const consumers::Consumer& program, const std::string& bytes,
                                                   const consumers::LoadOptions& options);
+  /// Takes what the program made of the bytes when it was asked otherwise.
+  void add(const consumers::Consumer& program, std::string bytes, const consumers::LoadOptions& options,
+           consumers::ConsumerView view);
 
  private:
   struct Loaded {

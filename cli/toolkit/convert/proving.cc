@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <utility>
 
 namespace fca {
 
@@ -125,15 +126,19 @@ bool mend_kept_text(Written& written, const Rig& rig, LoadedViews& views, Diagno
       text::Document document = file.document;
       Diagnostics mends;
       std::optional<consumers::Complaint> refusal;
+      consumers::ConsumerView tried;
+      const AskProgram ask = [&](const std::string& bytes) { return tried = program->load(bytes, options); };
       for (int i = 0; i < kMostMends; ++i) {
-        refusal = first_refusal(document.bytes(), id, options, views);
+        const consumers::ConsumerView& view = views.of(*program, document.bytes(), options);
+        refusal = view.loads() ? std::nullopt : std::optional(view.refusals.front());
         all_load = all_load && !refusal;
-        const std::optional<Mend> mend = refusal ? find_mend(document, *program, options, *refusal) : std::nullopt;
+        const std::optional<Mend> mend = refusal ? find_mend(document, view, *refusal, ask) : std::nullopt;
         if (!mend) break;
         std::vector<Message> how;
         if (!names_mend(refusal->facts, *mend)) how.push_back({Code::kMendedHow, {mend->fix}});
         mends.add(Code::kMended, {refusal->facts, how}, document.source().range(mend->span));
         document.replace(mend->span, mend->text);
+        views.add(*program, document.bytes(), options, std::exchange(tried, {}));
       }
       if (refusal) continue;
       file.document = std::move(document);

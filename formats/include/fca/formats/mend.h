@@ -6,6 +6,7 @@
 #include <fca/formats/text/document.h>
 #include <fca/message.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -20,10 +21,14 @@ struct Mend {
   std::string text;
 };
 
-/// What takes a refusal or warning of the program away; nothing where no single other spelling does. The document may have
-/// edits: the program is asked about its bytes with them, and they are never part of a mend.
-[[nodiscard]] std::optional<Mend> find_mend(const text::Document& document, const consumers::Consumer& program,
-                                            const consumers::LoadOptions& options, const consumers::Complaint& complaint);
+/// What a program makes of bytes.
+using AskProgram = std::function<consumers::ConsumerView(const std::string& bytes)>;
+
+/// What takes a complaint of the program, one of those that it has about the document (`view`), away; nothing where no single
+/// other spelling does. The document may have edits: the view is of its bytes with them, and they are never part of a mend. The
+/// last bytes that the program is asked about are those with the mend in them.
+[[nodiscard]] std::optional<Mend> find_mend(const text::Document& document, const consumers::ConsumerView& view,
+                                            const consumers::Complaint& complaint, const AskProgram& ask);
 
 /// Does the complaint say itself how it is mended?
 [[nodiscard]] bool names_mend(const Message& complaint, const Mend& mend);
