@@ -9,6 +9,7 @@
 #include "lost_poses.h"
 
 #include <fca/code.h>
+#include <fca/formats/read_back.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/contradictions.h>
 #include <fca/rig/limits.h>
@@ -289,6 +290,7 @@ std::optional<Written> write_calibration(const Format& format, const text::Docum
   const Message why = format.many_cameras ? Message{Code::kSeveralFilesBecomeOne} : Message{};
   for (const text::Document& document : options.joined)
     add_composed_anew(document, written->files.front().document, why, written->losses);
+  for (Written::File& file : written->files) file.says = read_back(format, file, rig, *written);
   const std::vector<Loss> poses = lost_poses(format, rig, *written);
   written->losses.insert(written->losses.end(), poses.begin(), poses.end());
   return written;

@@ -4,7 +4,6 @@
 #include <fca/code.h>
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/counted_cameras.h>
-#include <fca/formats/read_back.h>
 #include <fca/rig/leave_out.h>
 
 #include <algorithm>
@@ -18,20 +17,13 @@ namespace fca {
 
 namespace {
 
-/// How a file that we wrote is read: what it leaves open, the rig and its writer know.
-ReadOptions options_for(const Rig& rig, const Written& written, const Written::File& file) {
-  const Camera* camera = file.cameras.empty() ? nullptr : rig.find_camera(file.cameras.front());
-  if (camera == nullptr) return {};
-  return {camera->image_size, written.opencv_model};
-}
-
 /// The poses that the files state, between cameras by the rig's names.
-std::vector<PoseEdge> stated_in(const Format& format, const Rig& rig, const Written& written) {
+std::vector<PoseEdge> stated_in(const Format& format, const Written& written) {
   std::vector<PoseEdge> poses;
   std::map<std::string, std::string> names;  // formats may rename cameras; a file of poses has the names of that of cameras
   Rig cameras;                               // of that one
   for (const Written::File& file : written.files) {
-    std::optional<Rig> part = read_back(format, file, options_for(rig, written, file));
+    std::optional<Rig> part = file.says;
     if (!part) continue;
     if (!file.cameras.empty()) {
       names.clear();
@@ -137,7 +129,7 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const
   }
   if (rig.poses.empty()) return {};
   Rig kept;
-  kept.poses = stated_in(format, rig, written);
+  kept.poses = stated_in(format, written);
   std::set<std::string> frames;
   for (const PoseEdge& edge : rig.poses) {
     frames.insert({edge.a, edge.b});

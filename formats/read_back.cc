@@ -13,4 +13,9 @@ std::optional<Rig> read_back(const Format& format, const Written::File& file, co
   return document ? format.read(std::span(&*document, 1), options, told_when_written) : std::nullopt;
 }
 
+std::optional<Rig> read_back(const Format& format, const Written::File& file, const Rig& rig, const Written& written) {
+  const Camera* camera = file.cameras.empty() ? nullptr : rig.find_camera(file.cameras.front());
+  return read_back(format, file, camera == nullptr ? ReadOptions{} : ReadOptions{camera->image_size, written.opencv_model});
+}
+
 }  // namespace fca

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "camera_names.h"
 
-#include <fca/formats/read_back.h>
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/read_document.h>
 
@@ -22,10 +21,9 @@ bool is_stated(const Written::File& file, const std::string& name) {
 void name_as_written(const Format& format, const Written& written, std::vector<ConvertedCamera>& cameras) {
   if (!format.many_cameras) return;
   for (const Written::File& file : written.files) {
-    const std::optional<Rig> rig = read_back(format, file, {std::nullopt, written.opencv_model, false});
-    if (!rig || rig->cameras.size() != file.cameras.size()) continue;
+    if (!file.says || file.says->cameras.size() != file.cameras.size()) continue;
     for (std::size_t i = 0; i < file.cameras.size(); ++i) {
-      const std::string& name = rig->cameras[i].name;
+      const std::string& name = file.says->cameras[i].name;
       const auto camera =
           std::ranges::find_if(cameras, [&](const ConvertedCamera& each) { return each.source.name == file.cameras[i]; });
       if (camera != cameras.end() && (file.cameras.size() > 1 || is_stated(file, name))) camera->name_in_file = name;

@@ -3,7 +3,6 @@
 
 #include <fca/code.h>
 #include <fca/formats/pose_agreement.h>
-#include <fca/formats/read_back.h>
 
 #include <algorithm>
 #include <iterator>
@@ -160,12 +159,12 @@ Rig put_into(const Rig& base_as_named, Rig rig, bool in_order, Kept& kept, Diagn
   return rig;
 }
 
-void tell_of_kept(const Kept& kept, const Written& written, const Format& format, Diagnostics& diagnostics) {
+void tell_of_kept(const Kept& kept, const Written& written, Diagnostics& diagnostics) {
   const Written::File& file = written.files.front();
   for (const std::string& camera : kept.cameras) {
     if (std::ranges::find(file.cameras, camera) != file.cameras.end()) diagnostics.add(Code::kCameraKept, {camera});
   }
-  const std::optional<Rig> now = read_back(format, file);
+  const std::optional<Rig>& now = file.says;
   if (kept.baseline_m && now && now->baseline_m) diagnostics.add(Code::kBaselineKept, {100.0 * *kept.baseline_m});
   std::vector<std::string> poses;
   for (const PoseEdge& edge : kept.poses) {

@@ -25,7 +25,7 @@ struct Kept {
 [[nodiscard]] Rig put_into(const Rig& base, Rig rig, bool in_order, Kept& kept, Diagnostics& diagnostics);
 
 /// A note on what was kept, of that which the files written still hold (a mode may have no place for it).
-void tell_of_kept(const Kept& kept, const Written& written, const Format& format, Diagnostics& diagnostics);
+void tell_of_kept(const Kept& kept, const Written& written, Diagnostics& diagnostics);
 
 /// Does the rig say one of the poses that `base` holds, of two cameras or frames, under its own names of them or, in order,
 /// under others?

@@ -5,6 +5,7 @@
 
 #include <fca/code.h>
 #include <fca/formats/mend.h>
+#include <fca/formats/read_back.h>
 #include <fca/formats/wording.h>
 #include <fca/toolkit/save.h>
 
@@ -115,7 +116,7 @@ Message newly_refused(const Written& written, const Rig& rig, const text::Docume
   return {};
 }
 
-bool mend_kept_text(Written& written, const Rig& rig, LoadedViews& views, Diagnostics& diagnostics) {
+bool mend_kept_text(const Format& format, const Rig& rig, Written& written, LoadedViews& views, Diagnostics& diagnostics) {
   constexpr int kMostMends = 100;  // each is some runs of the program's reader
   const consumers::LoadOptions options = load_options(written, rig);
   bool all_load = true;
@@ -141,7 +142,9 @@ bool mend_kept_text(Written& written, const Rig& rig, LoadedViews& views, Diagno
         views.add(*program, document.bytes(), options, std::exchange(tried, {}));
       }
       if (refusal) continue;
+      if (mends.entries().empty()) continue;
       file.document = std::move(document);
+      file.says = read_back(format, file, rig, written);
       for (const Diagnostic& each : mends.entries()) diagnostics.add(each);
     }
   }

@@ -24,7 +24,8 @@ namespace fca {
 /// What of a base's own text, which an edit keeps, the program that is to read it would refuse only for its spelling
 /// (IMU.Frequency: 200, a byte order mark) is mended, with a note of each; where the program would refuse it all the same,
 /// nothing is. True if there was nothing to mend: the programs load every file as it stood.
-[[nodiscard]] bool mend_kept_text(Written& written, const Rig& rig, LoadedViews& views, Diagnostics& diagnostics);
+[[nodiscard]] bool mend_kept_text(const Format& format, const Rig& rig, Written& written, LoadedViews& views,
+                                  Diagnostics& diagnostics);
 
 /// A warning if the input's own program would not load it: it is read all the same, and may not be what that program used.
 void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagnostics& diagnostics);

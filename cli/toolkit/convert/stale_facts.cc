@@ -2,7 +2,6 @@
 #include "stale_facts.h"
 
 #include <fca/code.h>
-#include <fca/formats/read_back.h>
 
 #include <algorithm>
 #include <optional>
@@ -43,7 +42,7 @@ void list_facts_of_other_lenses(const Rig& base, const Rig& rig, const Format& f
                     base.poses == rig.poses && base.baseline_m == rig.baseline_m;
   if (same || format.of_the_lenses.empty()) return;
   // What the writer knew to follow is no longer as the base had it.
-  const std::optional<Rig> now = read_back(format, written.files.front());
+  const std::optional<Rig>& now = written.files.front().says;
   Rig kept = base;
   std::erase_if(kept.extra_fields, [&now](const ExtraField& extra) {
     return now && std::ranges::find(now->extra_fields, extra) == now->extra_fields.end();

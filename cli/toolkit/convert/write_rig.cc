@@ -44,7 +44,7 @@ std::optional<Written> write_rig(const Calibration& source, const Rig& rig, cons
   std::optional<Written> written = write_calibration(*result.to, base.document, rig, options, result.diagnostics);
   if (!written || base.document == nullptr || !request.verify || request.rewrite) return written;
   const bool edited = written->files.front().document.edited();
-  const bool loads = (edited || base.into != nullptr) && mend_kept_text(*written, rig, views, result.diagnostics);
+  const bool loads = (edited || base.into != nullptr) && mend_kept_text(*result.to, rig, *written, views, result.diagnostics);
   if (loads || keeps_text(request, base)) return written;
   const bool asked_for = !options.layout.empty() || edited;
   // An input is to become a file that the program reads: OpenVINS' first line in a camchain is no base for Kalibr. A file that

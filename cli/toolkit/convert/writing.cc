@@ -171,7 +171,7 @@ bool Writing::write() {
   std::optional<Written> written = write_rig(input_, rig_, base_, request_, kept_.replaced, views_, result_);
   if (written && request_.program != nullptr) put_first(*request_.program, rig_, *written);
   if (!written || !is_edit_of_base(request_, base_, *written, result_.diagnostics)) return false;
-  if (into_) tell_of_kept(kept_, *written, to, result_.diagnostics);
+  if (into_) tell_of_kept(kept_, *written, result_.diagnostics);
   list_assumed_units(input_, to, *written);
   const bool edits_input = !into_ && base_.document != nullptr;
   if (edits_input && !request_.inputs.change.changes_nothing())

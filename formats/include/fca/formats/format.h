@@ -116,6 +116,8 @@ struct Written {
     bool named = false;
     std::string place = {};    ///< Its path in a folder of the program's own ("mav0/cam0/sensor.yaml"); empty: any name does.
     bool of_defaults = false;  ///< It states nothing of the rig, but what the program stops without.
+    /// As its own format reads it once it is written (write_calibration()); nothing where that does not.
+    std::optional<Rig> says = {};
   };
   std::vector<File> files;
   Message headline;                         ///< First line for people: mode, who reads it, who does not.
