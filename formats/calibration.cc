@@ -22,13 +22,12 @@
 
 namespace fca {
 
-std::optional<text::Document> parse_calibration(text::Source source, Diagnostics& diagnostics) {
-  const Message known = looks_like(source.bytes, Parsed::kNo);
+std::optional<text::Document> parse_calibration(const text::Source& source, Diagnostics& diagnostics) {
   Diagnostics found;
-  const SourceRange where = {source.name, 0, 0};
-  std::optional<text::Document> document = text::parse_document(std::move(source), found);
-  if (!document && known.is_said()) {
-    diagnostics.add(known.code, known.arguments, where);
+  std::optional<text::Document> document = text::parse_document(source, found);
+  const Message known = document ? Message{} : looks_like(source.bytes, Parsed::kNo);
+  if (known.is_said()) {
+    diagnostics.add(known.code, known.arguments, {source.name, 0, 0});
     return std::nullopt;
   }
   for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
@@ -211,6 +210,19 @@ std::span<const text::Document> with_parts(const Format& format, std::span<const
   return documents.first(all ? 1 + named.size() : 1);
 }
 
+/// Does it say anything of what a file says?
+bool tells(const ReadOptions& options) {
+  return options.image_size || options.opencv_model || options.length_unit_m || options.imu_rate_hz;
+}
+
+/// Gives the cameras what the files without cameras say of them, once all of the rig's files, of these formats, are read.
+void complete(std::span<const Format* const> formats, Rig& rig) {
+  for (const Format& each : all_formats()) {
+    const bool is_read = std::ranges::find(formats, &each) != formats.end();
+    if (is_read && each.complete != nullptr) each.complete(rig);
+  }
+}
+
 }  // namespace
 
 /// Joined files of cameras alone put each at the origin of the same frame (ROS: R = I and no baseline): that states no pose.
@@ -228,17 +240,40 @@ void forget_common_origins(Rig& rig, Diagnostics& diagnostics) {
   }
 }
 
+std::optional<Rig> rig_alone(const Calibration& calibration, std::size_t document) {
+  if (document < calibration.rigs.size() && calibration.rigs[document]) return calibration.rigs[document];
+  Diagnostics said_before;
+  return calibration.formats[document]->read(std::span(calibration.documents).subspan(document, 1), {}, said_before);
+}
+
+std::optional<Calibration> alone(const Calibration& calibration, std::size_t document) {
+  std::optional<Rig> rig = rig_alone(calibration, document);
+  if (!rig) return std::nullopt;
+  Calibration result;
+  result.format = calibration.formats[document];
+  result.why = {Code::kFormatTold};
+  result.documents = {calibration.documents[document]};
+  result.formats = {result.format};
+  result.rig = *std::move(rig);
+  if (result.format->leaves_unit_open()) result.poses_without_unit = result.rig.poses;
+  complete(result.formats, result.rig);
+  return result;
+}
+
 std::optional<Calibration> read_calibration(std::vector<text::Document> documents, const Format* format,
-                                            const ReadOptions& options, Diagnostics& diagnostics) {
+                                            const ReadOptions& options, Diagnostics& diagnostics,
+                                            std::span<const std::optional<DetectedFormat>> detected_before) {
   if (documents.empty()) return std::nullopt;
   Calibration result;
+  if (documents.size() > 1) result.rigs.resize(documents.size());
   std::vector<std::string> files;  // in which each pose of the rig stands
   for (std::size_t i = 0; i < documents.size(); ++i) {
     const text::Document& document = documents[i];
     const bool main_file = result.format == nullptr;
     DetectedFormat detected{format, {Code::kFormatTold}};
     if (format == nullptr || (!main_file && !options.join)) {
-      const std::optional<DetectedFormat> found = detect_format(document, diagnostics);
+      const bool is_known = i < detected_before.size() && detected_before[i];
+      const std::optional<DetectedFormat> found = is_known ? detected_before[i] : detect_format(document, diagnostics);
       if (!found) return std::nullopt;
       detected = *found;
     }
@@ -249,6 +284,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
       diagnostics.add(Code::kTooManyCameras, {count, kMostCameras}, {document.source().name, 0, 0});
       return std::nullopt;
     }
+    if (parts.size() == 1 && !result.rigs.empty() && !tells(options)) result.rigs[i] = rig;
     if (main_file) {
       result.format = detected.format;
       result.why = detected.why;
@@ -270,10 +306,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
     }
     files.resize(result.rig.poses.size(), document.source().name);
   }
-  for (const Format& each : all_formats()) {
-    const bool is_read = std::ranges::find(result.formats, &each) != result.formats.end();
-    if (is_read && each.complete != nullptr) each.complete(result.rig);
-  }
+  complete(result.formats, result.rig);
   warn_of_contradictions(result.rig, files, diagnostics);
   if (options.join && result.format->pair_poses) forget_common_origins(result.rig, diagnostics);
   result.documents = std::move(documents);

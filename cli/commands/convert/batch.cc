@@ -132,7 +132,7 @@ bool is_told_in_full(std::size_t inputs) {
 }
 
 Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments, const TypedOptions& typed,
-                    const HeldInterrupt& interrupt, Console& console) {
+                    const HeldInterrupt& interrupt, const Files& known, Console& console) {
   struct Job {
     std::optional<ConvertOutcome> outcome;
     std::vector<text::Source> sources;  ///< What its diagnostics point into.
@@ -149,6 +149,7 @@ Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments
     each.request.inputs.join = groups[i].join;
     each.one_input = groups.size() == 1;
     CommandFiles files(console.streams());
+    files.know_documents_of(known);
     jobs[i].outcome = convert_input(groups[i].name, each, groups.size() > 1 ? command_for(groups[i], typed) : typed, files);
     const Diagnostics& said = jobs[i].outcome->diagnostics;
     if (in_full ? !said.entries().empty() : said.has_errors()) jobs[i].sources = files.sources();

@@ -22,9 +22,11 @@ struct Batch {
 /// Few inputs have their reports; many have a line each in the table, and --json has everything.
 [[nodiscard]] bool is_told_in_full(std::size_t inputs);
 
-/// Converts every input (with --join: all as one), arguments.jobs at the same time, until the interrupt.
+/// Converts every input (with --join: all as one), arguments.jobs at the same time, until the interrupt. `known`: what was
+/// parsed of them already.
 [[nodiscard]] Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments,
-                                  const TypedOptions& typed, const HeldInterrupt& interrupt, Console& console);
+                                  const TypedOptions& typed, const HeldInterrupt& interrupt, const Files& known,
+                                  Console& console);
 
 /// One line for each of several inputs, and one for all. `written`: what was converted was to be written (no --dry-run).
 [[nodiscard]] std::string batch_text(const Batch& batch, bool written);

@@ -58,13 +58,13 @@ void warn_of_unused(const std::vector<Acceptance>& accepted, const std::vector<C
   }
 }
 
-/// `convert camchain.yaml imu.yaml`: of a few inputs the one with cameras is the calibration, the others are parts of it.
-ConvertArguments with_parts(const ConvertArguments& arguments, const std::vector<FoundFile>& files, Streams& streams) {
+/// `convert camchain.yaml imu.yaml`: of a few inputs the one with cameras is the calibration, the others are parts of it. To
+/// know, they are read.
+ConvertArguments with_parts(const ConvertArguments& arguments, const std::vector<FoundFile>& files, Files& read_apart) {
   if (!std::ranges::all_of(files, [](const FoundFile& file) { return file.named && is_at_hand(file); })) return arguments;
   Inputs inputs = arguments.request.inputs;
   inputs.files.clear();
   for (const FoundFile& file : files) inputs.files.push_back(file.path);
-  CommandFiles read_apart(streams);
   const Inputs recognised = with_parts_recognised(inputs, read_apart);
   if (recognised.files.size() == files.size()) return arguments;
   ConvertArguments result = arguments;
@@ -92,12 +92,13 @@ ConvertArguments into_cameras(ConvertArguments arguments) {
 ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, Console& console) {
   if (const std::optional<std::string> problem = problem_with_patterns(given.inputs))
     return console.refuse(ExitCode::kIo, *problem);
-  const ConvertArguments arguments = into_cameras(with_parts(given, walk_rigs(given.inputs), console.streams()));
+  CommandFiles read_apart(console.streams());
+  const ConvertArguments arguments = into_cameras(with_parts(given, walk_rigs(given.inputs), read_apart));
   const std::vector<FoundFile> files = walk_rigs(arguments.inputs);
   if (const std::optional<std::string> error = problem_with(arguments, are_many(arguments, files)))
     return console.refuse(ExitCode::kUsage, *error);
   const HeldInterrupt interrupt(files.size() > 1 && std::ranges::all_of(files, is_at_hand), console);
-  Batch batch = convert_batch(files, arguments, typed, interrupt, console);
+  Batch batch = convert_batch(files, arguments, typed, interrupt, read_apart, console);
   std::vector<ConvertOutcome>& outcomes = batch.outcomes;
   if (outcomes.empty() && batch.left == 0) {
     return console.refuse(ExitCode::kBadInput, "no calibration with a camera in " + enumerated(arguments.inputs) + " (" +

@@ -23,8 +23,7 @@ std::vector<Part> parts_of(const Calibration& source, const Format& format) {
     const text::Document& document = source.documents[i];
     if (source.formats[i] != &format) continue;
     if (format.many_cameras && document.syntax() != text::Syntax::kWords) continue;
-    Diagnostics said_before;
-    const std::optional<Rig> rig = format.read(std::span(&document, 1), {}, said_before);
+    const std::optional<Rig> rig = rig_alone(source, i);
     if (rig && rig->cameras.size() == 1) parts.push_back({&document, *rig});
   }
   return parts;
@@ -87,8 +86,7 @@ std::vector<Part> imu_parts_of(const Calibration& source, const Format& format) 
   std::vector<Part> parts;
   for (std::size_t i = 0; i < source.documents.size() && format.imu_file; ++i) {
     if (source.formats[i] != &format) continue;
-    Diagnostics said_before;
-    const std::optional<Rig> rig = format.read(std::span(&source.documents[i], 1), {}, said_before);
+    const std::optional<Rig> rig = rig_alone(source, i);
     if (rig && rig->cameras.empty() && !rig->imus.empty()) parts.push_back({&source.documents[i], *rig});
   }
   return parts;

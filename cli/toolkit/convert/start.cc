@@ -62,11 +62,12 @@ std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRe
   std::size_t next_camera = 0;
   for (std::size_t i = 0; i < calibration.documents.size(); ++i) {
     CheckOptions options = check_options(request, calibration.formats[i]);
-    Diagnostics known;  // from the first reading
-    std::optional<Calibration> one = read_calibration({calibration.documents[i]}, options.from, {}, known);
+    std::optional<Calibration> one = alone(calibration, i);
     // A size that was given is for the files that state none.
     if (one && !one->rig.cameras.empty() && one->rig.cameras.front().image_size) options.reading.image_size.reset();
-    if (options.reading.image_size) one = read_calibration({calibration.documents[i]}, options.from, options.reading, known);
+    Diagnostics said_before;
+    if (options.reading.image_size)
+      one = read_calibration({calibration.documents[i]}, options.from, options.reading, said_before);
     if (!one) continue;
     // What the readers found stands with the first.
     std::vector<Finding> found =

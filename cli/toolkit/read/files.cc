@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/code.h>
-#include <fca/formats/text/read_document.h>
+#include <fca/formats/calibration.h>
 #include <fca/toolkit/files.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace fca {
 
@@ -13,6 +14,24 @@ std::optional<text::Source> Files::read(const std::string& path, Diagnostics& di
   std::optional<text::Source> source = before != sources_.end() ? std::optional(*before) : fetch(path, diagnostics);
   if (source) remember(*source);
   return source;
+}
+
+std::optional<text::Document> Files::parse(text::Source source, Diagnostics& diagnostics) {
+  const auto known = std::ranges::find_if(parsed_, [&source](const std::shared_ptr<const Parsed>& each) {
+    const text::Source& other = each->document.source();
+    return other.name == source.name && other.bytes == source.bytes;
+  });
+  Diagnostics said;
+  std::optional<text::Document> document;
+  if (known != parsed_.end()) {
+    said = (*known)->said;
+    document = (*known)->document;
+  } else {
+    document = parse_calibration(source, said);
+    if (document) parsed_.push_back(std::make_shared<const Parsed>(Parsed{*document, said}));
+  }
+  for (const Diagnostic& entry : said.entries()) diagnostics.add(entry);
+  return document;
 }
 
 std::optional<Image> Files::read_image(const std::string& path, Diagnostics& diagnostics) {

@@ -76,8 +76,9 @@ Inputs with_parts_recognised(const Inputs& inputs, Files& files) {
     one.files = {file};
     one.parts.clear();
     one.cameras.reset();
-    const Reading reading = read({one, nullptr}, files);
-    const bool is_part = reading.calibration && reading.calibration->rig.cameras.empty();
+    Diagnostics told_later;
+    const std::optional<Calibration> calibration = read_calibration(one, files, told_later);
+    const bool is_part = calibration && calibration->rig.cameras.empty();
     (is_part ? result.parts : result.files).push_back(file);
   }
   return result.files.size() == 1 ? result : inputs;

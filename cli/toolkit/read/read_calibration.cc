@@ -91,16 +91,12 @@ void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
   rig.cameras = std::move(cameras);
 }
 
-/// Reads the files that the last of the documents names as parts of it. One that is not there is a warning: what the others say
-/// may be all that is wanted. False with errors.
-bool add_parts(const Format* format, Files& files, std::vector<text::Document>& documents, Diagnostics& diagnostics) {
-  Diagnostics told_later;
-  const std::optional<DetectedFormat> detected =
-      format == nullptr ? detect_format(documents.back(), told_later) : DetectedFormat{format, {}};
-  if (!detected) return true;
+/// Reads the files that the last of the documents, which is of that format, names as parts of it. One that is not there is a
+/// warning: what the others say may be all that is wanted. False with errors.
+bool add_parts(const Format& format, Files& files, std::vector<text::Document>& documents, Diagnostics& diagnostics) {
   std::vector<text::Document> parts;
   bool all_there = true;
-  for (const NamedFile& named : named_parts(*detected->format, documents.back())) {
+  for (const NamedFile& named : named_parts(format, documents.back())) {
     std::optional<text::Source> source = read_part(named);
     if (!source) {
       diagnostics.add(Code::kPartMissing, {named.path}, named.where);
@@ -108,7 +104,7 @@ bool add_parts(const Format* format, Files& files, std::vector<text::Document>& 
       continue;
     }
     files.remember(*source);
-    std::optional<text::Document> part = text::parse_document(*std::move(source), diagnostics);
+    std::optional<text::Document> part = files.parse(*std::move(source), diagnostics);
     if (!part) return false;
     parts.push_back(*std::move(part));
   }
@@ -172,16 +168,21 @@ std::optional<Calibration> read_as_stated(const Inputs& given, Files& files, Dia
   std::vector<std::string> paths = inputs.files;
   paths.insert(paths.end(), inputs.parts.begin(), inputs.parts.end());
   std::vector<text::Document> documents;
+  std::vector<std::optional<DetectedFormat>> detected;
   for (const std::string& path : paths) {
     std::optional<text::Source> source = files.read(path, diagnostics);
     if (!source) return std::nullopt;
-    std::optional<text::Document> document = parse_calibration(*std::move(source), diagnostics);
+    std::optional<text::Document> document = files.parse(*std::move(source), diagnostics);
     if (!document) return std::nullopt;
     documents.push_back(*std::move(document));
-    if (!add_parts(inputs.format, files, documents, diagnostics)) return std::nullopt;
+    detected.resize(documents.size());
+    Diagnostics told_later;
+    if (inputs.format == nullptr) detected.back() = detect_format(documents.back(), told_later);
+    const Format* format = detected.back() ? detected.back()->format : inputs.format;
+    if (format != nullptr && !add_parts(*format, files, documents, diagnostics)) return std::nullopt;
   }
   std::optional<Calibration> calibration =
-      read_calibration(std::move(documents), inputs.format, read_options(inputs), diagnostics);
+      read_calibration(std::move(documents), inputs.format, read_options(inputs), diagnostics, detected);
   if (!calibration || !has_given_size(inputs, *calibration, diagnostics) ||
       !has_use_for_unit(inputs, *calibration, diagnostics))
     return std::nullopt;

@@ -21,8 +21,15 @@ struct Calibration {
   std::vector<const Format*> formats;        ///< Of the documents, one for one.
   std::vector<PoseEdge> poses_without_unit;  ///< Those of `rig` whose unit neither their files nor ReadOptions say.
   std::size_t poses_in_told_unit = 0;        ///< Those whose unit ReadOptions say.
+  /// Of several documents the rig of each that was read by itself, if ReadOptions said nothing of it.
+  std::vector<std::optional<Rig>> rigs;
   Rig rig;
 };
+
+/// What its format reads of one of the documents, by itself and without ReadOptions; nothing where it does not read it so.
+[[nodiscard]] std::optional<Rig> rig_alone(const Calibration& calibration, std::size_t document);
+/// That as a calibration.
+[[nodiscard]] std::optional<Calibration> alone(const Calibration& calibration, std::size_t document);
 
 struct DetectedFormat {
   const Format* format = nullptr;
@@ -30,7 +37,7 @@ struct DetectedFormat {
 };
 
 /// As text::parse_document(); a text of another program, without a syntax that is parsed, is named.
-[[nodiscard]] std::optional<text::Document> parse_calibration(text::Source source, Diagnostics& diagnostics);
+[[nodiscard]] std::optional<text::Document> parse_calibration(const text::Source& source, Diagnostics& diagnostics);
 
 /// The format whose content the document has. No format, or a tie, is an error.
 [[nodiscard]] std::optional<DetectedFormat> detect_format(const text::Document& document, Diagnostics& diagnostics);
@@ -48,9 +55,11 @@ struct NamedFile {
 [[nodiscard]] std::optional<text::Source> read_part(const NamedFile& part);
 
 /// Reads one calibration. `format`: null to detect it. `with`: further parts of the same calibration (imu.yaml). The files at
-/// named_parts() of a document, all of them, may follow it and are read with it.
+/// named_parts() of a document, all of them, may follow it and are read with it. `detected`: of the documents whose format was
+/// detected before, one for one; may end early.
 [[nodiscard]] std::optional<Calibration> read_calibration(std::vector<text::Document> documents, const Format* format,
-                                                          const ReadOptions& options, Diagnostics& diagnostics);
+                                                          const ReadOptions& options, Diagnostics& diagnostics,
+                                                          std::span<const std::optional<DetectedFormat>> detected = {});
 
 /// What `format.write` makes of the rig, and which of its poses that does not say (losses "pose-dropped").
 [[nodiscard]] std::optional<Written> write_calibration(const Format& format, const text::Document* base, const Rig& rig,

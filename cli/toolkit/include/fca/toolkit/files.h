@@ -3,9 +3,11 @@
 #pragma once
 
 #include <fca/diagnostics.h>
+#include <fca/formats/text/document.h>
 #include <fca/formats/text/source.h>
 #include <fca/toolkit/image.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +33,11 @@ class Files {
   /// An image, decoded. Nothing with an error.
   [[nodiscard]] virtual std::optional<Image> read_image(const std::string& path, Diagnostics& diagnostics);
 
+  /// The document that such a text is. What is parsed once, here or in those that this knows of, is not parsed again.
+  [[nodiscard]] std::optional<text::Document> parse(text::Source source, Diagnostics& diagnostics);
+  /// Takes over what the others have parsed.
+  void know_documents_of(const Files& others) { parsed_ = others.parsed_; }
+
   /// A text that was read otherwise, and into which diagnostics point, too.
   void remember(text::Source source) { sources_.push_back(std::move(source)); }
   /// All that was read, in its order.
@@ -41,7 +48,13 @@ class Files {
   [[nodiscard]] virtual std::optional<text::Source> fetch(const std::string& path, Diagnostics& diagnostics) const;
 
  private:
+  struct Parsed {
+    text::Document document;
+    Diagnostics said;
+  };
+
   std::vector<text::Source> sources_;
+  std::vector<std::shared_ptr<const Parsed>> parsed_;
 };
 
 }  // namespace fca
