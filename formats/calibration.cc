@@ -323,7 +323,11 @@ std::optional<Written> write_calibration(const Format& format, const text::Docum
   const Message why = format.many_cameras ? Message{Code::kSeveralFilesBecomeOne} : Message{};
   for (const text::Document& document : options.joined)
     add_composed_anew(document, written->files.front().document, why, written->losses);
-  for (Written::File& file : written->files) file.says = read_back(format, file, rig, *written);
+  // In a fresh file of one lens alone stands no pose, and no name of a camera.
+  const bool says_more = format.many_cameras || base != nullptr || !rig.poses.empty();
+  for (Written::File& file : written->files) {
+    if (says_more) file.says = read_back(format, file, rig, *written);
+  }
   const std::vector<Loss> poses = lost_poses(format, rig, *written);
   written->losses.insert(written->losses.end(), poses.begin(), poses.end());
   return written;

@@ -116,7 +116,7 @@ struct Written {
     bool named = false;
     std::string place = {};    ///< Its path in a folder of the program's own ("mav0/cam0/sensor.yaml"); empty: any name does.
     bool of_defaults = false;  ///< It states nothing of the rig, but what the program stops without.
-    /// As its own format reads it once it is written (write_calibration()); nothing where that does not.
+    /// As its own format reads it once it is written (write_calibration()); nothing where that does not, or where nobody asks.
     std::optional<Rig> says = {};
   };
   std::vector<File> files;
