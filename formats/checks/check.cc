@@ -58,6 +58,10 @@ bool Findings::has(Code code, const SourceRange& where) const {
   });
 }
 
+bool Findings::has(Code code, const std::function<SourceRange()>& where) const {
+  return has_any(std::span(&code, 1)) && has(code, where());
+}
+
 bool Findings::has_any(std::span<const Code> codes) const {
   return std::ranges::any_of(report_.findings, [codes](const Finding& finding) { return same_id(code_of(finding), codes); });
 }

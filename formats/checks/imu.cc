@@ -45,13 +45,14 @@ constexpr Swap kGyroscope = {&Imu::gyroscope_noise_density, &Imu::gyroscope_rand
 void check_size(const Subject& subject, const Imu& imu, const Density& density, Findings& findings) {
   const std::optional<double>& value = imu.*density.member;
   if (!value) return;
-  const SourceRange where = subject.places.imu(density.member);
   if (*value < density.smallest) {
-    findings.add(Code::kImuNoiseTooSmall, {imu.name, density.name, *value, density.unit, std::sqrt(*value)}, where);
+    findings.add(Code::kImuNoiseTooSmall, {imu.name, density.name, *value, density.unit, std::sqrt(*value)},
+                 subject.places.imu(density.member));
   } else if (*value > density.largest) {
     std::vector<Message> discrete;
     if (imu.rate_hz) discrete = {{Code::kImuNoiseOfSamples, {*imu.rate_hz, *value / std::sqrt(*imu.rate_hz)}}};
-    findings.add(Code::kImuNoiseTooLarge, {imu.name, density.name, *value, density.unit, discrete}, where);
+    findings.add(Code::kImuNoiseTooLarge, {imu.name, density.name, *value, density.unit, discrete},
+                 subject.places.imu(density.member));
   }
 }
 
@@ -59,7 +60,7 @@ void check_size(const Subject& subject, const Imu& imu, const Density& density, 
 void doubt_unit(const Subject& subject, const Imu& imu, const Density& density, Findings& findings) {
   const std::optional<double>& value = imu.*density.member;
   if (!value || !imu.rate_hz || *value > density.largest || *value <= density.largest / kInflation) return;
-  if (findings.has(Code::kAnyImuSensorsSwapped, subject.places.imu(density.member))) return;
+  if (findings.has(Code::kAnyImuSensorsSwapped, [&] { return subject.places.imu(density.member); })) return;
   findings.undecided(Code::kImuNoiseOfUnknownKind,
                      {imu.name, density.name, *value, *imu.rate_hz, *value / std::sqrt(*imu.rate_hz)});
 }

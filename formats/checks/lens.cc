@@ -94,7 +94,7 @@ bool check_lens(const Subject& subject, Findings& findings) {
     if (!camera.image_size) continue;
     any = true;
     // In an image of the other orientation it would end inside for no reason of its own.
-    if (findings.has(Code::kSizeSwapped, subject.places.image_width(camera))) continue;
+    if (findings.has(Code::kSizeSwapped, [&] { return subject.places.image_width(camera); })) continue;
     check_coverage(subject, camera, findings);
   }
   return any;

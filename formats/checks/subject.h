@@ -6,6 +6,7 @@
 
 #include <fca/formats/check.h>
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,6 +37,8 @@ class Findings {
   void add(Code code, std::vector<Argument> arguments, SourceRange where, SpanEdit mend);
   /// Of the code's id, there.
   [[nodiscard]] bool has(Code code, const SourceRange& where) const;
+  /// The same. Places may take a writer's time: this one is asked for only if there is such a finding anywhere.
+  [[nodiscard]] bool has(Code code, const std::function<SourceRange()>& where) const;
   [[nodiscard]] bool has_any(std::span<const Code> codes) const;
   /// More than a note of that camera, whom messages name first; what is found of the file as a whole counts for each.
   [[nodiscard]] bool has_any(std::span<const Code> codes, const Rig& rig, const std::string& camera) const;
