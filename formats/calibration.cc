@@ -328,6 +328,7 @@ std::optional<Written> write_calibration(const Format& format, const text::Docum
   for (Written::File& file : written->files) {
     if (says_more) file.says = read_back(format, file, rig, *written);
   }
+  written->poses = poses_in(format, *written);
   const std::vector<Loss> poses = lost_poses(format, rig, *written);
   written->losses.insert(written->losses.end(), poses.begin(), poses.end());
   return written;

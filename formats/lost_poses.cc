@@ -17,32 +17,6 @@ namespace fca {
 
 namespace {
 
-/// The poses that the files state, between cameras by the rig's names.
-std::vector<PoseEdge> stated_in(const Format& format, const Written& written) {
-  std::vector<PoseEdge> poses;
-  std::map<std::string, std::string> names;  // formats may rename cameras; a file of poses has the names of that of cameras
-  Rig cameras;                               // of that one
-  for (const Written::File& file : written.files) {
-    std::optional<Rig> part = file.says;
-    if (!part) continue;
-    if (!file.cameras.empty()) {
-      names.clear();
-      cameras = *part;
-    } else if (format.facts_apart) {
-      names = counted_cameras(written);
-    } else if (format.complete != nullptr && part->cameras.empty()) {
-      part->cameras = cameras.cameras;
-      part->extra_fields.insert(part->extra_fields.end(), cameras.extra_fields.begin(), cameras.extra_fields.end());
-      format.complete(*part);
-    }
-    for (std::size_t i = 0; i < std::min(part->cameras.size(), file.cameras.size()); ++i)
-      names.emplace(part->cameras[i].name, file.cameras[i]);
-    const auto name_in_rig = [&names](const std::string& name) { return names.contains(name) ? names.at(name) : name; };
-    for (const PoseEdge& edge : part->poses) poses.push_back({name_in_rig(edge.a), name_in_rig(edge.b), edge.T_a_b});
-  }
-  return poses;
-}
-
 /// To a millimetre and a twentieth of a degree: files state one pose in several ways, and round it.
 bool same_pose(const std::optional<Transform>& a, const std::optional<Transform>& b) {
   constexpr double kTolerance = 1e-3;
@@ -118,6 +92,31 @@ Loss loss_of(std::string key, const std::vector<std::string>& poses, const Group
 
 }  // namespace
 
+std::vector<PoseEdge> poses_in(const Format& format, const Written& written) {
+  std::vector<PoseEdge> poses;
+  std::map<std::string, std::string> names;  // formats may rename cameras; a file of poses has the names of that of cameras
+  Rig cameras;                               // of that one
+  for (const Written::File& file : written.files) {
+    std::optional<Rig> part = file.says;
+    if (!part) continue;
+    if (!file.cameras.empty()) {
+      names.clear();
+      cameras = *part;
+    } else if (format.facts_apart) {
+      names = counted_cameras(written);
+    } else if (format.complete != nullptr && part->cameras.empty()) {
+      part->cameras = cameras.cameras;
+      part->extra_fields.insert(part->extra_fields.end(), cameras.extra_fields.begin(), cameras.extra_fields.end());
+      format.complete(*part);
+    }
+    for (std::size_t i = 0; i < std::min(part->cameras.size(), file.cameras.size()); ++i)
+      names.emplace(part->cameras[i].name, file.cameras[i]);
+    const auto name_in_rig = [&names](const std::string& name) { return names.contains(name) ? names.at(name) : name; };
+    for (const PoseEdge& edge : part->poses) poses.push_back({name_in_rig(edge.a), name_in_rig(edge.b), edge.T_a_b});
+  }
+  return poses;
+}
+
 std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const Written& written) {
   Rig rig = rig_as_read;
   for (const Camera& camera : rig_as_read.cameras) {
@@ -129,7 +128,7 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const
   }
   if (rig.poses.empty()) return {};
   Rig kept;
-  kept.poses = stated_in(format, written);
+  kept.poses = written.poses;
   std::set<std::string> frames;
   for (const PoseEdge& edge : rig.poses) {
     frames.insert({edge.a, edge.b});

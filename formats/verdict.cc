@@ -373,6 +373,25 @@ Message worded(const Contradiction& contradiction, const Rig& rig, std::vector<M
            std::move(decided)}};
 }
 
+/// Which of two statements of a pose the written files have; nothing where they have neither, or nothing is written.
+std::vector<Message> as_written(const Contradiction& contradiction, const Rig& rig, std::span<const PoseEdge> poses) {
+  const auto& [edge, path, around, difference] = contradiction.loop;
+  const PoseEdge& stated = rig.poses[edge];
+  Rig written;
+  written.poses.assign(poses.begin(), poses.end());
+  const std::optional<Transform> T = written.resolve(stated.a, stated.b);
+  if (!T) return {};
+  std::erase_if(written.poses, [&stated](const PoseEdge& other) {
+    return (other.a == stated.a && other.b == stated.b) || (other.a == stated.b && other.b == stated.a);
+  });
+  const std::optional<Transform> by_others = written.resolve(stated.a, stated.b);
+  if (by_others && difference_of(*T, *by_others).contradicts()) return {{Code::kPosesWrittenBoth}};
+  if (!difference_of(*T, stated.T_a_b).contradicts()) return {{Code::kPoseWrittenAsStated, {name_of(stated)}}};
+  std::vector<std::string> others;
+  for (const std::size_t other : path) others.push_back(name_of(rig.poses[other]));
+  return {{Code::kPoseWrittenAsDerived, {name_of(stated), others}}};
+}
+
 /// A pose that was left out counts as decided; all others by how grave they are.
 void add_contradictions(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   if (facts.rig == nullptr || !states_poses(facts)) return;
@@ -386,8 +405,10 @@ void add_contradictions(const VerdictFacts& facts, std::vector<Reason>& reasons)
     const Message mistake = {each.mistake, {name_of(facts.rig->poses[each.loop.edge])}};
     if (each.blame != Blame::kNone && is_of_unwritten_pose({.facts = mistake}, facts)) continue;
     const bool is_explained = each.mistake != Code::kNone;
-    reasons.push_back(
-        {.word = word_of(each.severity), .facts = is_explained ? mistake : worded(each, *facts.rig, {}), .kind = each.mistake});
+    std::vector<Message> written = as_written(each, *facts.rig, facts.written_poses);
+    Message said = is_explained ? mistake : worded(each, *facts.rig, written);
+    if (is_explained && !written.empty()) said = {Code::kVerdictMistakeWritten, {mistake, written.front()}};
+    reasons.push_back({.word = word_of(each.severity), .facts = std::move(said), .kind = each.mistake});
   }
 }
 
@@ -412,7 +433,7 @@ constexpr std::array kLimits = {Code::kMisreadBeyondLimit, Code::kMissingBeyondL
 
 bool may_be_accepted(const Reason& reason) {
   // No file can state a pose that mirrors.
-  return reason.facts.code != Code::kPoseMirrors && std::ranges::find(kLimits, reason.facts.code) == kLimits.end();
+  return reason.kind != Code::kPoseMirrors && std::ranges::find(kLimits, reason.facts.code) == kLimits.end();
 }
 
 bool may_be_accepted(Code code) { return !same_id(code, kLimits); }

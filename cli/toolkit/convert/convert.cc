@@ -169,6 +169,7 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.defaults = result.defaults;
   facts.findings = result.findings;
   facts.rig = &start.rig_of_input;
+  facts.written_poses = result.poses;
   facts.outvoted = start.outvoted ? &*start.outvoted : nullptr;
   std::vector<std::vector<std::string>> files;
   for (const ConvertedFile& file : result.files) files.push_back(file.cameras);

@@ -189,6 +189,7 @@ bool Writing::write() {
 bool Writing::place() {
   result_.headline = written_.headline;
   result_.mode = written_.sensor;
+  result_.poses = written_.poses;
   result_.losses = written_.losses;
   result_.defaults = written_.defaults;
   for (const Written::File& file : written_.files) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/code.h>
 #include <fca/formats/calibration.h>
+#include <fca/formats/text/read_document.h>
 #include <fca/toolkit/files.h>
 
 #include <algorithm>

@@ -127,6 +127,8 @@ struct Written {
   Message pose_remedy;    ///< What to do about poses that the files do not say; may be none.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
+  /// That the files state, between cameras by the rig's names: they are read back (write_calibration()).
+  std::vector<PoseEdge> poses = {};
   std::vector<PoseEdge> restated;  ///< Poses that the files say otherwise than the rig, on purpose; each is among the losses.
 };
 

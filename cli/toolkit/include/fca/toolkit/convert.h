@@ -128,8 +128,9 @@ struct ConvertResult {
   bool lens_given = false;  ///< By an angle or a circle: shares are of the lens.
   std::vector<ConvertedCamera> cameras;
   std::vector<ConvertedFile> files;
-  Message headline;    ///< Mode, who reads it, who does not.
-  std::string mode;    ///< That was written for.
+  std::vector<PoseEdge> poses;  ///< That the files state, between cameras by the input's names.
+  Message headline;             ///< Mode, who reads it, who does not.
+  std::string mode;             ///< That was written for.
   std::string layout;  ///< That was chosen because the program understands it best; empty: asked for, or the usual one.
   Verdict verdict;     ///< Whether to use the files.
   std::vector<Finding> findings;     ///< What is wrong with the meaning of the input and of what was written.
