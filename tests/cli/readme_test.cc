@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the documents show is what the program prints: every block that begins with "$ fca-io" is run beside the files of
-// examples/. A line "..." stands for any number of lines. Numbers may differ in their last digits, from machine to machine.
+// What the documents show is what the program prints: every command "$ fca-io ..." is run, that of a recipe
+// (examples/*/README.md) in the recipe's folder, that of another document beside the files of examples/. "$ echo $?" is the
+// exit code of the command before it. A line "..." stands for any number of lines. Numbers may differ in their last digits,
+// from machine to machine.
 #include "cli/run_program.h"
 
 #include <fca/formats/text/numbers.h>
@@ -30,7 +32,7 @@ std::vector<Example> examples_in(const std::string& readme) {
   for (const std::string& line : lines_of(readme)) {
     if (line.starts_with("```")) {
       inside = false;
-    } else if (line.starts_with("$ fca-io ")) {
+    } else if (line.starts_with("$ ")) {
       inside = true;
       examples.push_back({line.substr(2), {}});
     } else if (inside) {
@@ -64,7 +66,7 @@ bool same(const std::string& expected, const std::string& printed) {
   });
 }
 
-/// The first expected line that does not come; empty: all come.
+/// The first expected line that does not come, or the first line beyond the expected ones; empty: all is as expected.
 std::string missing_from(const std::vector<std::string>& printed, const std::vector<std::string>& expected) {
   auto at = printed.begin();
   bool skip = false;
@@ -78,7 +80,28 @@ std::string missing_from(const std::vector<std::string>& printed, const std::vec
     at = found + 1;
     skip = false;
   }
-  return "";
+  return skip || at == printed.end() ? "" : "(not shown) " + *at;
+}
+
+/// Runs a document's examples in `folder`, one after the other, and compares what they print.
+void expect_shown(const std::vector<Example>& examples, const fs::path& folder) {
+  int code = 0;
+  for (const Example& example : examples) {
+    SCOPED_TRACE(example.command);
+    if (example.command == "echo $?") {
+      EXPECT_EQ(example.output, std::vector<std::string>{std::to_string(code)});
+      continue;
+    }
+    std::vector<std::string> words = words_of(example.command.substr(0, example.command.find(" #")));
+    ASSERT_EQ(words.front(), "fca-io") << "no other program can be called";
+    words.erase(words.begin());
+    // An example may use what an earlier one wrote, or write it again.
+    if (std::ranges::find(words, "-o") != words.end()) words.emplace_back("--force");
+    const RunResult run = run_program(words, {.folder = folder.string(), .in_full = false});
+    const std::vector<std::string> printed = lines_of(run.out + run.err);
+    EXPECT_EQ(missing_from(printed, example.output), "") << run.out << run.err;
+    code = run.code;
+  }
 }
 
 /// Each with the number of its examples, at least.
@@ -109,16 +132,49 @@ TEST_P(Documents, ShowWhatTheProgramPrints) {
   }
   const std::vector<Example> examples = examples_in(read_file(root / GetParam().path));
   EXPECT_GE(examples.size(), GetParam().examples);
-  for (const Example& example : examples) {
-    SCOPED_TRACE(example.command);
-    std::vector<std::string> words = words_of(example.command.substr(0, example.command.find(" #")));
-    words.erase(words.begin());
-    // An example may use what an earlier one wrote, or write it again.
-    if (std::ranges::find(words, "-o") != words.end()) words.emplace_back("--force");
-    const RunResult run = run_program(words, {.folder = folder.path().string(), .in_full = false});
-    const std::vector<std::string> printed = lines_of(run.out + run.err);
-    EXPECT_EQ(missing_from(printed, example.output), "") << run.out << run.err;
+  expect_shown(examples, folder.path());
+}
+
+/// Folders of examples/ that have a README.md, by name.
+std::set<std::string> recipes() {
+  std::set<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(FCA_EXAMPLES_DIR)) {
+    if (fs::exists(entry.path() / "README.md")) names.insert(entry.path().filename().string());
   }
+  return names;
+}
+
+class Recipes : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(All, Recipes, testing::ValuesIn(recipes()), [](const auto& recipe) {
+  std::string name = recipe.param;
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
+
+TEST_P(Recipes, ShowWhatTheProgramPrints) {
+  const TemporaryFolder copy;
+  fs::copy(FCA_EXAMPLES_DIR, copy.path(), fs::copy_options::recursive);
+  const fs::path folder = copy.path() / GetParam();
+  const std::string readme = read_file(folder / "README.md");
+  EXPECT_LE(lines_of(readme).size(), 60U);
+  expect_shown(examples_in(readme), folder);
+}
+
+// Inputs that a recipe is not about to find fault with are ready.
+TEST_P(Recipes, HaveInputsThatAreReady) {
+  if (GetParam() == "check-a-file" || GetParam() == "cpp") return;
+  const fs::path folder = fs::path(FCA_EXAMPLES_DIR) / GetParam();
+  const RunResult run = run_program({"check", "--fail-on", "warning", folder.string()});
+  // 2: no calibration is there, since the input is another folder's.
+  const bool has_inputs = GetParam() != "kalibr-to-slam" && GetParam() != "colmap";
+  EXPECT_EQ(run.code, has_inputs ? 0 : 2) << run.out << run.err;
+}
+
+TEST(RecipesList, HasEveryRecipe) {
+  const std::string list = read_file(fs::path(FCA_EXAMPLES_DIR) / "README.md");
+  EXPECT_GE(recipes().size(), 10U);
+  for (const std::string& recipe : recipes()) EXPECT_TRUE(contains(list, "](" + recipe + "/README.md)")) << recipe;
 }
 
 // The tables of formats are printed from the registry.
@@ -140,18 +196,31 @@ std::vector<std::string> links_in(const std::string& text) {
   return links;
 }
 
-// Documents stand beside what they describe, and lead to each other.
-TEST(Documents, LeadToFilesThatAreThere) {
+/// Every document of the repository: *.md where git's files are.
+std::vector<fs::path> documents() {
   const fs::path root = fs::path(FCA_EXAMPLES_DIR).parent_path();
-  std::size_t links = 0;
-  for (const char* path : {"README.md", "CONTRIBUTING.md", "CHANGELOG.md", "cli/README.md", "cli/python/README.md",
-                           "examples/cpp/README.md", "formats/README.md", "formats/verdicts.md", "lib/convert/paper.md"}) {
-    for (const std::string& link : links_in(read_file(root / path))) {
-      ++links;
-      EXPECT_TRUE(fs::exists((root / path).parent_path() / link)) << path << " leads to " << link;
+  std::vector<fs::path> paths;
+  for (const fs::directory_entry& entry : fs::directory_iterator(root)) {
+    if (entry.path().extension() == ".md") paths.push_back(entry.path());
+  }
+  for (const char* folder : {"cli", "examples", "formats", "lib", "tests"}) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (entry.path().extension() == ".md") paths.push_back(entry.path());
     }
   }
-  EXPECT_GT(links, 8U);
+  return paths;
+}
+
+// Documents stand beside what they describe, and lead to each other.
+TEST(Documents, LeadToFilesThatAreThere) {
+  std::size_t links = 0;
+  for (const fs::path& path : documents()) {
+    for (const std::string& link : links_in(read_file(path))) {
+      ++links;
+      EXPECT_TRUE(fs::exists(path.parent_path() / link)) << path << " leads to " << link;
+    }
+  }
+  EXPECT_GT(links, 40U);
 }
 
 TEST(Documents, AreShortWhereReadersBegin) {
