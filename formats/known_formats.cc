@@ -36,7 +36,7 @@ constexpr std::array kKnown = {
     Known{Code::kLooksLikeStella, "Camera:", "setup:"},
     Known{Code::kLooksLikeMrcal, "'intrinsics'", "'imagersize'"},
     Known{Code::kLooksLikeMrcal, "\"intrinsics\"", "\"imagersize\""},
-    Known{Code::kLooksLikeMast3r, "calibration: [", "height:"},
+    Known{Code::kLooksLikeMast3r, "calibration:", "height:"},
     Known{Code::kLooksLikeCuvslamRig, "stereo_cameras", "left_camera"},
     Known{Code::kLooksLikeCuvslamRig, "rgb_camera", "depth_camera"},
     Known{Code::kLooksLikeNcore, "T_sensor_rig", "shutter_type"},
