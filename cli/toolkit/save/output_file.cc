@@ -2,6 +2,7 @@
 #include "output_file.h"
 
 #include "parallel_for.h"
+#include "unnamed_file.h"
 
 #include <fca/code.h>
 
@@ -28,33 +29,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(fd_, other.fd_);
-    return *this;
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  [[nodiscard]] int get() const { return fd_; }
-  /// Errors of a delayed write appear here.
-  [[nodiscard]] bool close() {
-    const int fd = fd_;
-    fd_ = -1;
-    return ::close(fd) == 0;
-  }
-
- private:
-  int fd_;
-};
-
 bool write_all(int fd, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(fd, bytes.data(), bytes.size());
@@ -75,7 +49,6 @@ std::optional<Message> write_directly(const std::string& path, std::string_view 
   return std::nullopt;
 }
 
-constexpr std::string_view kTemporary = ".fca-io-";
 constexpr const char* kOwnFiles = "/proc/self/fd";
 
 std::uint64_t seed() {
@@ -88,7 +61,7 @@ std::string temporary_name(const fs::path& folder) {
   thread_local std::mt19937_64 random(seed());  // the device itself takes longer than a file
   std::array<char, 17> digits{};
   std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(random()));
-  return (folder / (std::string(kTemporary) + digits.data())).string();
+  return (folder / (std::string(kTemporaryFile) + digits.data())).string();
 }
 
 /// What is to be put into a place: without a name as long as that can be (a killed program leaves nothing), then beside it. It
@@ -266,7 +239,7 @@ void remove_leftovers(const std::string& folder) {
   std::error_code error;
   for (fs::directory_iterator at(folder.empty() ? "." : folder, error); !error && at != fs::directory_iterator();
        at.increment(error)) {
-    if (!at->path().filename().string().starts_with(kTemporary)) continue;
+    if (!at->path().filename().string().starts_with(kTemporaryFile)) continue;
     const Descriptor file(::open(at->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     struct stat status {};
     const bool dead = file.get() >= 0 && ::fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode) &&
