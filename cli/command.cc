@@ -12,6 +12,7 @@
 #include "commands/show/show_command.h"
 #include "options/application.h"
 #include "shell/option_hints.h"
+#include "shell/spool.h"
 
 #include <fca/formats/consumers/missing_module.h>
 
@@ -50,6 +51,8 @@ int run(std::span<const std::string> words, Streams& streams) {
   } catch (const consumers::MissingModule& error) {
     return fail(ExitCode::kIo, text::text_of(error.facts, with_options) +
                                    "; install fca-io, for images also fca-io-images, or allow more memory (ulimit -v)");
+  } catch (const SpoolFailure& error) {
+    return fail(ExitCode::kIo, std::string("what was converted cannot be read again: ") + error.what());
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::kIo, "not enough memory; allow it more (ulimit -v)");
   } catch (const std::exception& error) {

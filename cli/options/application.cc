@@ -54,8 +54,8 @@ struct Application::Parser {
     return text + (completion.files ? ":files\n" : "");
   }
 
-  /// Is the command's document promised? `rest`: what parsing has left.
-  [[nodiscard]] bool promises_json(const std::vector<std::string>& rest) const;
+  /// Is the command's document promised, and how? `rest`: what parsing has left.
+  [[nodiscard]] JsonShape promised_json(const std::vector<std::string>& rest) const;
 };
 
 Application::Application() : parser_(std::make_unique<Parser>()) {
@@ -90,20 +90,27 @@ void Application::add(const std::string& name, const std::string& description,
 
 namespace {
 
-/// Is --json among words that no command has taken?
-bool ask_for_json(const std::vector<std::string>& words) {
+JsonShape json_shape(bool json, bool json_lines) {
+  if (json_lines) return JsonShape::kLines;
+  return json ? JsonShape::kDocument : JsonShape::kNone;
+}
+
+/// The JSON that words ask for that no command has taken.
+JsonShape json_asked_for(const std::vector<std::string>& words) {
   CLI::App any;
   any.set_help_flag();
   any.allow_extras();
   Options options(any);
   bool json = false;
+  bool json_lines = false;
   add_json_option(options, json);
+  add_json_lines_option(options, json_lines);
   try {
     any.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError&) {
-    return false;
+    return JsonShape::kNone;
   }
-  return json;
+  return json_shape(json, json_lines);
 }
 
 /// `fca-io FILE` is `fca-io show FILE`: is the first word anything like a path, and no command?
@@ -138,10 +145,11 @@ struct Refusal {
 
 }  // namespace
 
-bool Application::Parser::promises_json(const std::vector<std::string>& rest) const {
+JsonShape Application::Parser::promised_json(const std::vector<std::string>& rest) const {
   std::vector<std::string> words = app.remaining(true);
   words.insert(words.end(), rest.rbegin(), rest.rend());
-  return (options && options->has_flag(OptionKey::kJson)) || ask_for_json(words);
+  const auto is_given = [this](OptionKey key) { return options && options->has_flag(key); };
+  return std::max(json_shape(is_given(OptionKey::kJson), is_given(OptionKey::kJsonLines)), json_asked_for(words));
 }
 
 ExitCode Application::run(std::span<const std::string> given, Console& console) {
@@ -154,7 +162,7 @@ ExitCode Application::run(std::span<const std::string> given, Console& console) 
   const auto is_name = [&names](const std::string& word) { return std::ranges::find(names, word) != names.end(); };
   if (!words.empty() && (!words.front().starts_with('-') || is_standard_input(words.front())) && !is_name(words.front())) {
     if (!is_path(words.front())) {
-      if (ask_for_json(words)) console.promise_json();
+      console.promise_json(json_asked_for(words));
       return console.refuse(ExitCode::kUsage, unknown_word("command", words.front(), names));
     }
     words.insert(words.begin(), "show");
@@ -181,7 +189,7 @@ ExitCode Application::run(std::span<const std::string> given, Console& console) 
     refusal = {named ? words.front() + ": " + problem : problem,
                (named ? "fca-io " + words.front() : "fca-io") + std::string(" --help")};
   }
-  if (parser_->promises_json(rest)) console.promise_json();
+  console.promise_json(parser_->promised_json(rest));
   if (refusal) return console.refuse(ExitCode::kUsage, refusal->problem, refusal->fix);
   if (!parser_->chosen) {
     console.err(parser_->app.help());

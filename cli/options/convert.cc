@@ -27,6 +27,7 @@ std::vector<std::string> printed(std::string_view Format::*name) {
 
 /// What follows from several words.
 std::optional<std::string> finish(ConvertArguments& arguments) {
+  arguments.json = arguments.json || arguments.json_lines;
   arguments.request.in_detail = arguments.json || arguments.verbosity > 0;
   const std::string extension = std::filesystem::path(arguments.output.path).extension().string();
   if (!extension.empty()) arguments.request.extension = extension;
@@ -84,6 +85,7 @@ void add_convert_options(Options& options, ConvertArguments& arguments) {
   add_force_option(options, "Replace existing files; their other hard links keep the old text", arguments.force);
   options.flag("--fsync", "Force the files to disk before they replace old ones (all of a batch at once)", arguments.fsync);
   add_json_option(options, arguments.json);
+  add_json_lines_option(options, arguments.json_lines);
   add_verbose_option(options, "The full report; -vv: and the parameters, as a table", arguments.verbosity);
   options.flag("-q,--quiet", "Errors only", arguments.quiet);
   options.footer(

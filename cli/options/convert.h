@@ -21,9 +21,10 @@ struct ConvertArguments {
   bool force = false;
   bool fsync = false;
   bool dry_run = false;
-  bool json = false;
-  int verbosity = 0;   ///< 1: the full report; more: with the parameters of the cameras.
-  bool quiet = false;  ///< Errors only.
+  bool json = false;        ///< One document.
+  bool json_lines = false;  ///< A line for each input, and `json`.
+  int verbosity = 0;        ///< 1: the full report; more: with the parameters of the cameras.
+  bool quiet = false;       ///< Errors only.
 };
 
 void add_convert_options(Options& options, ConvertArguments& arguments);

@@ -33,7 +33,7 @@ struct UsageProblem {
 using FinishRequest = std::function<std::optional<std::string>()>;
 
 /// An option that code asks for among those that were typed.
-enum class OptionKey : std::uint8_t { kOther, kCameras, kModel, kJson };
+enum class OptionKey : std::uint8_t { kOther, kCameras, kModel, kJson, kJsonLines };
 
 /// An option as it was typed, once: one that came several times is several.
 struct TypedOption {

@@ -44,6 +44,11 @@ void add_json_option(Options& options, bool& json) {
   options.flag("--json", "One JSON document on standard output", json, OptionKey::kJson);
 }
 
+void add_json_lines_option(Options& options, bool& json_lines) {
+  options.group(OptionGroup::kOutput);
+  options.flag("--json-lines", "What --json prints for each input alone, a line each", json_lines, OptionKey::kJsonLines);
+}
+
 void add_force_option(Options& options, const std::string& help, bool& force) {
   options.group(OptionGroup::kOutput);
   options.flag("--force", help, force);

@@ -18,6 +18,8 @@ void add_verbose_option(Options& options, const std::string& help, bool& is_verb
 void add_verbose_option(Options& options, const std::string& help, int& verbosity);
 /// --json
 void add_json_option(Options& options, bool& json);
+/// --json-lines, of commands whose inputs may be many; it goes before --json.
+void add_json_lines_option(Options& options, bool& json_lines);
 /// --force; `help` says what is overwritten.
 void add_force_option(Options& options, const std::string& help, bool& force);
 /// --jobs; `what` is worked on at the same time.

@@ -169,14 +169,13 @@ std::optional<std::string> target_without_file(const ConvertRequest& request) {
   return std::nullopt;
 }
 
-std::optional<std::string> opencv_model_without_use(const Inputs& inputs, std::span<const ConvertResult> results) {
-  if (!inputs.opencv_model || !inputs.parts.empty() || results.empty()) return std::nullopt;
+bool has_use_for_opencv_model(const ConvertResult& result) {
   const auto has_use = [](const Format* format) { return format == nullptr || format->leaves_model_open; };
-  if (std::ranges::any_of(results, [&](const ConvertResult& result) {
-        return has_use(result.from) || has_use(result.to) || !result.one_format;
-      }))
-    return std::nullopt;
-  return "--opencv-model is for OpenCV files, and " + inputs.files.front() + " is " + std::string(results.front().from->title);
+  return has_use(result.from) || has_use(result.to) || !result.one_format;
+}
+
+std::string opencv_model_without_use(const std::string& file, const Format& format) {
+  return "--opencv-model is for OpenCV files, and " + file + " is " + std::string(format.title);
 }
 
 }  // namespace fca::cli

@@ -35,7 +35,9 @@ void add_accept_option(Options& options, std::vector<Acceptance>& accepted);
 /// Why one of them is without use where nothing is written; nothing where none was given.
 [[nodiscard]] std::optional<std::string> target_without_file(const ConvertRequest& request);
 
-/// --opencv-model was given, and neither the input nor what is written is of the format that has use for it.
-[[nodiscard]] std::optional<std::string> opencv_model_without_use(const Inputs& inputs, std::span<const ConvertResult> results);
+/// Is the input, or what is written, of the format that has use for --opencv-model? Yes where nobody knows.
+[[nodiscard]] bool has_use_for_opencv_model(const ConvertResult& result);
+/// --opencv-model was given, and there is no use for it: a usage error, in words. `file`: an input, of that format.
+[[nodiscard]] std::string opencv_model_without_use(const std::string& file, const Format& format);
 
 }  // namespace fca::cli

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 #include <system_error>
+#include <unordered_set>
 #include <utility>
 
 #include <glob.h>
@@ -75,11 +75,11 @@ std::vector<FoundFile> walk(const std::vector<std::string>& paths, WantedExtensi
     for (std::string& file : matches(path)) resolved.push_back({std::move(file), false});
   }
   std::vector<FoundFile> found;
-  std::set<fs::path> met;
+  std::unordered_set<std::string> met;
   const auto add = [&found, &met](FoundFile file) {
     std::error_code error;  // what has no such path is told by its name
-    const fs::path where = is_standard_input(file.path) ? fs::path(file.path) : fs::weakly_canonical(file.path, error);
-    if (met.insert(error ? fs::path(file.path) : where).second) found.push_back(std::move(file));
+    const std::string where = is_standard_input(file.path) ? file.path : fs::weakly_canonical(file.path, error).string();
+    if (met.insert(error ? file.path : where).second) found.push_back(std::move(file));
   };
   for (const FoundFile& each : resolved) {
     std::error_code error;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "console.h"
 
+#include "compact_json.h"
 #include "diagnostics_json.h"
 #include "json.h"
 #include "option_hints.h"
@@ -40,10 +41,12 @@ void Console::show(const Diagnostics& diagnostics) const {
   for (const Diagnostic& entry : diagnostics.entries()) err(text::render(entry, sources(), colour_, with_options));
 }
 
-void Console::show_errors(const Diagnostics& diagnostics) const {
+std::string Console::errors_in_words(const Diagnostics& diagnostics, std::span<const text::Source> sources) const {
+  std::string text;
   for (const Diagnostic& entry : diagnostics.entries()) {
-    if (entry.severity == Severity::kError) err(text::render(entry, sources(), colour_, with_options));
+    if (entry.severity == Severity::kError) text += text::render(entry, sources, colour_, with_options);
   }
+  return text;
 }
 
 void Console::error(const std::string& message, const std::string& fix) const {
@@ -65,14 +68,14 @@ ExitCode Console::refuse(ExitCode code, const Diagnostics& diagnostics) const {
 }
 
 void Console::print_refusal(ExitCode code, const Diagnostics& diagnostics) const {
-  if (!json_promised_) return;
+  if (promised_ == JsonShape::kNone) return;
   Json json;
   json.object([&] {
     json.put("fca_io", FCA_VERSION);
     json.put("exit_code", static_cast<int>(code));
     put_diagnostics(json, diagnostics, *this);
   });
-  out(json.document());
+  out(promised_ == JsonShape::kLines ? compact(json.text()) + "\n" : json.document());
 }
 
 ExitCode Console::finish(ExitCode code) const {

@@ -11,13 +11,18 @@
 #include <fca/formats/verdict_value.h>
 
 #include <atomic>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace fca::cli {
+
+/// What scripts are to find on standard output.
+enum class JsonShape : std::uint8_t { kNone, kDocument, kLines };
 
 class Console {
  public:
@@ -27,15 +32,15 @@ class Console {
   [[nodiscard]] Files& files() { return files_; }
   /// Renders to stderr, with colour on a terminal unless NO_COLOR is set.
   void show(const Diagnostics& diagnostics) const;
-  /// Its errors alone.
-  void show_errors(const Diagnostics& diagnostics) const;
+  /// The errors alone as they are printed. `sources`: what they point into.
+  [[nodiscard]] std::string errors_in_words(const Diagnostics& diagnostics, std::span<const text::Source> sources) const;
   void error(const std::string& message, const std::string& fix = {}) const;
   /// An error that ends the command before it has a document of its own to print: as text, and under --json as a document, too.
   [[nodiscard]] ExitCode refuse(ExitCode code, const std::string& message, const std::string& fix = {}) const;
   /// The same with what was found on the way.
   [[nodiscard]] ExitCode refuse(ExitCode code, const Diagnostics& diagnostics) const;
-  /// Was --json given?
-  void promise_json() { json_promised_ = true; }
+  /// Was --json given, or --json-lines?
+  void promise_json(JsonShape shape) { promised_ = shape; }
   /// Text for people, without control characters that a file may have brought in; to stdout, or beside it to stderr.
   void say(std::string_view text) const { out(text::printable(text, true)); }
   void say_aside(std::string_view text) const { err(text::printable(text, true)); }
@@ -68,7 +73,7 @@ class Console {
   CommandFiles files_;
   mutable std::atomic<bool> wrote_ = false;  ///< Images are written at the same time.
   bool colour_ = false;
-  bool json_promised_ = false;
+  JsonShape promised_ = JsonShape::kNone;
 };
 
 }  // namespace fca::cli

@@ -75,7 +75,15 @@ class Json {
     }
   }
 
-  [[nodiscard]] std::string document() const { return std::string(buffer_.GetString(), buffer_.GetSize()) + "\n"; }
+  /// A value of RapidJSON's.
+  template <class Value>
+  [[nodiscard]] static std::string text_of(const Value& value) {
+    Json json;
+    value.Accept(json.writer_);
+    return json.text();
+  }
+  [[nodiscard]] std::string text() const { return {buffer_.GetString(), buffer_.GetSize()}; }
+  [[nodiscard]] std::string document() const { return text() + "\n"; }
 
  private:
   void name(std::string_view key) { writer_.Key(key.data(), static_cast<rapidjson::SizeType>(key.size())); }

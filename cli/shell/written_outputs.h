@@ -2,24 +2,33 @@
 // What was converted, put into its places.
 #pragma once
 
-#include "commands/convert/outcome.h"
+#include "commands/convert/finished.h"
 #include "console.h"
 
 #include <cstddef>
 #include <span>
-#include <vector>
+#include <string>
+#include <unordered_set>
 
 namespace fca::cli {
 
-/// Refuses before anything is written that two outputs have one path.
-[[nodiscard]] bool collide(const std::vector<ConvertOutcome>& outcomes, const Console& console);
+/// So many files, and a few more, are open at the same time.
+inline constexpr std::size_t kFilesAtOnce = 256;
 
-/// Removes what killed programs have left beside the outputs.
-void remove_leftovers_beside(const std::vector<ConvertOutcome>& outcomes);
+class OutputWriter {
+ public:
+  OutputWriter(const ConvertArguments& arguments, const Console& console) : arguments_(arguments), console_(console) {}
 
-/// Writes the first of the outcomes, as many as have their files open at the same time; says in an outcome what went wrong with
-/// it. Returns how many were tried.
-[[nodiscard]] std::size_t write_outputs(const ConvertArguments& arguments, std::span<ConvertOutcome> outcomes,
-                                        const Console& console);
+  /// Puts the files of each, all or none, into their places; says in it what went wrong with it. What a killed program has left
+  /// beside them goes.
+  void write(std::span<Finished> converted);
+
+ private:
+  void remove_leftovers_beside(const Finished& converted);
+
+  const ConvertArguments& arguments_;
+  const Console& console_;
+  std::unordered_set<std::size_t> clean_;  ///< Hashes of folders without leftovers.
+};
 
 }  // namespace fca::cli

@@ -46,7 +46,7 @@ void put_file(Json& json, const CheckResult& file, const Console& console) {
   static_cast<ConvertResult&>(outcome) = *file.instead;
   outcome.input = file.source.name;
   outcome.code = exit_code(outcome.status);
-  json.object("conversion", [&] { put_conversion(json, outcome, console); });
+  json.object("conversion", [&] { put_conversion(json, outcome, console.sources()); });
 }
 
 /// A path as SARIF wants it (RFC 3986): absolute ones as file://, everything but plain letters encoded.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "batch.h"
 
+#include "options/target.h"
 #include "shell/progress.h"
-#include "shell/verdict_text.h"
-#include "shell/words.h"
 #include "toolkit/parallel_for.h"
 
 #include <fca/code.h>
@@ -11,16 +10,15 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iterator>
-#include <optional>
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace fca::cli {
 
-namespace {
-
-/// Inputs that are converted together.
-struct Group {
+struct Batch::Group {
   std::string path;  ///< As it was found: a file, or the folder of a rig.
   std::string name;  ///< The first file; of a folder that is one rig the folder.
   std::vector<std::string> files;
@@ -28,26 +26,9 @@ struct Group {
   bool join = false;  ///< Its files are one rig.
 };
 
-std::vector<Group> groups_of(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments) {
-  std::vector<Group> groups;
-  for (const FoundFile& file : inputs) {
-    const bool join = arguments.request.inputs.join;
-    if (groups.empty() || !join) groups.push_back({file.path, rig_name(file.path), {}, file.named, join});
-    Group& group = groups.back();
-    const std::vector<std::string> files = rig_files_in(file.path);
-    group.join = group.join || !files.empty();
-    group.files.insert(group.files.end(), files.begin(), files.end());
-    if (files.empty()) group.files.push_back(file.path);
-  }
-  return groups;
-}
+namespace {
 
-/// The command that converts that group alone.
-TypedOptions command_for(const Group& group, const TypedOptions& typed) {
-  TypedOptions own = {{.name = "INPUT", .value = group.path, .positional = true}};
-  std::ranges::copy_if(typed, std::back_inserter(own), [](const TypedOption& option) { return !option.positional; });
-  return own;
-}
+namespace fs = std::filesystem;
 
 bool holds_no_camera(const ConvertOutcome& outcome) {
   return std::ranges::any_of(outcome.diagnostics.entries(), [](const Diagnostic& entry) {
@@ -56,72 +37,15 @@ bool holds_no_camera(const ConvertOutcome& outcome) {
   });
 }
 
-/// Of ten thousand conversions only what is still to be written and told is kept.
-void forget(ConvertOutcome& outcome) {
-  outcome.losses = {};
-  outcome.defaults = {};
-  outcome.proofs = {};
-}
-
-std::string models(const ConvertOutcome& outcome) {
-  std::vector<std::string> said;
-  for (const ConvertedCamera& camera : outcome.cameras) {
-    const std::string from(model_info(camera.source.model).id);
-    const std::string to(model_info(camera.target.model).id);
-    const std::string one = from == to ? to : from + " -> " + to;
-    if (std::ranges::find(said, one) == said.end()) said.push_back(one);
+/// Beside the outputs, where there is room for them; where none are written, where temporary files are.
+std::string spool_folder(const ConvertArguments& arguments) {
+  std::error_code error;  // what cannot be asked is no folder
+  if (arguments.dry_run || !arguments.output.holds_many()) return fs::temp_directory_path(error).string();
+  for (fs::path folder = arguments.output.path; !folder.empty() && folder != folder.parent_path();
+       folder = folder.parent_path()) {
+    if (fs::is_directory(folder, error)) return folder.string();
   }
-  return enumerated(said);
-}
-
-/// The largest of a figure over the cameras, as the program sees them, else of the fit.
-std::string largest(const ConvertOutcome& outcome, double ErrorSummary::*figure, double as_program_sees) {
-  double most = as_program_sees;
-  for (const ConvertedCamera& camera : outcome.cameras) {
-    if (as_program_sees == 0.0 && camera.report && !camera.report->exact)
-      most = std::max(most, camera.report->judgement.error.*figure);
-  }
-  constexpr double kNothingPx = 1e-4;
-  return most < kNothingPx ? "0" : pixels(most);
-}
-
-std::string result(const ConvertOutcome& outcome) {
-  for (const Diagnostic& entry : outcome.diagnostics.entries()) {
-    if (entry.severity != Severity::kError) continue;
-    const bool is_judged = outcome.status == Status::kRejected;
-    return (is_judged ? std::string(in_words(VerdictWord::kDoNotUse)) : "error") + ": " + id_of(entry);
-  }
-  return std::string(in_words(outcome.verdict.word));
-}
-
-constexpr std::size_t kGap = 2;
-constexpr std::size_t kWidest = 60;  // longer names push their line to the right
-
-struct Line {
-  std::string input;
-  std::string models;
-  std::string rms;
-  std::string max;
-  std::string result;
-};
-
-std::string table(const std::vector<Line>& lines) {
-  const auto width = [&lines](std::string Line::*column) {
-    std::size_t widest = 0;
-    for (const Line& line : lines) widest = std::max(widest, std::min((line.*column).size(), kWidest));
-    return widest + kGap;
-  };
-  const std::size_t input = width(&Line::input);
-  const std::size_t model = width(&Line::models);
-  const std::size_t rms = width(&Line::rms);
-  const std::size_t max = width(&Line::max);
-  // A longer text than its column is wide has its gap, too.
-  const auto cell = [](const std::string& said, std::size_t wide) { return padded(said + std::string(kGap, ' '), wide); };
-  std::string text;
-  for (const Line& line : lines) {
-    text += cell(line.input, input) + cell(line.models, model) + cell(line.rms, rms) + cell(line.max, max) + line.result + "\n";
-  }
-  return text;
+  return arguments.output.path.starts_with('/') ? "/" : ".";
 }
 
 }  // namespace
@@ -131,74 +55,158 @@ bool is_told_in_full(std::size_t inputs) {
   return inputs <= kMost;
 }
 
-Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments, const TypedOptions& typed,
-                    const HeldInterrupt& interrupt, const Files& known, Console& console) {
-  struct Job {
-    std::optional<ConvertOutcome> outcome;
-    std::vector<text::Source> sources;  ///< What its diagnostics point into.
-  };
-  const std::vector<Group> groups = groups_of(inputs, arguments);
-  std::vector<Job> jobs(groups.size());
-  const bool in_full = arguments.json || is_told_in_full(groups.size());
-  Progress progress(groups.size(), console.streams().err);
-  parallel_for(groups.size(), arguments.request.jobs, [&](std::size_t i) {
-    if (interrupt.asked()) return;
-    ConvertArguments each = arguments;
-    if (groups.size() > 1) each.request.jobs = 1;
-    each.request.inputs.files = groups[i].files;
-    each.request.inputs.join = groups[i].join;
-    each.one_input = groups.size() == 1;
-    CommandFiles files(console.streams());
-    files.know_documents_of(known);
-    jobs[i].outcome = convert_input(groups[i].name, each, groups.size() > 1 ? command_for(groups[i], typed) : typed, files);
-    const Diagnostics& said = jobs[i].outcome->diagnostics;
-    if (in_full ? !said.entries().empty() : said.has_errors()) jobs[i].sources = files.sources();
-    if (groups.size() > 1 && !in_full) forget(*jobs[i].outcome);
-    progress.step();
-  });
-  Batch batch;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    Job& job = jobs[i];
-    if (!job.outcome) {
-      ++batch.left;
-    } else if (!groups[i].named && holds_no_camera(*job.outcome)) {
-      ++batch.skipped;
-    } else {
-      for (text::Source& source : job.sources) console.files().remember(std::move(source));
-      batch.outcomes.push_back(*std::move(job.outcome));
-    }
-  }
-  for (ConvertOutcome& outcome : batch.outcomes) outcome.one_of_many = batch.outcomes.size() > 1;
-  return batch;
+Batch::Batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments, const TypedOptions& typed,
+             const Files& known, Console& console)
+    : inputs_(inputs),
+      arguments_(arguments),
+      typed_(typed),
+      known_(known),
+      console_(console),
+      each_(arguments),
+      spool_(spool_folder(arguments)),
+      entries_(arguments.request.inputs.join ? std::min<std::size_t>(inputs.size(), 1) : inputs.size()),
+      used_(arguments.request.accepted.size()) {
+  each_.inputs.clear();
+  each_.one_input = entries_.size() == 1;
+  if (entries_.size() > 1) each_.request.jobs = 1;
+  std::ranges::copy_if(typed, std::back_inserter(options_), [](const TypedOption& option) { return !option.positional; });
 }
 
-std::string batch_text(const Batch& batch, bool written) {
-  std::vector<Line> lines = {{"input", "model", "rms px", "max px", "result"}};
-  std::size_t good = 0;
-  std::size_t files = 0;
-  const std::size_t reached = batch.outcomes.size() - batch.unwritten;
-  for (std::size_t i = 0; i < batch.outcomes.size(); ++i) {
-    const ConvertOutcome& outcome = batch.outcomes[i];
-    lines.push_back({outcome.input, models(outcome),
-                     outcome.cameras.empty() ? "" : largest(outcome, &ErrorSummary::rms, outcome.rms_px),
-                     outcome.cameras.empty() ? "" : largest(outcome, &ErrorSummary::max, outcome.max_px),
-                     i < reached ? result(outcome) : "not written"});
-    if (outcome.code != ExitCode::kGood) continue;
-    ++good;
-    const auto is_file = [](const ConvertedFile& file) { return !file.path.empty(); };
-    if (i < reached) files += static_cast<std::size_t>(std::ranges::count_if(outcome.files, is_file));
+Batch::Group Batch::group(std::size_t index) const {
+  const bool join = arguments_.request.inputs.join;
+  const FoundFile& first = inputs_[index];
+  Group group = {first.path, rig_name(first.path), {}, first.named, join};
+  const std::size_t end = join ? inputs_.size() : index + 1;
+  for (std::size_t i = index; i < end; ++i) {
+    const std::vector<std::string> files = rig_files_in(inputs_[i].path);
+    group.join = group.join || !files.empty();
+    group.files.insert(group.files.end(), files.begin(), files.end());
+    if (files.empty()) group.files.push_back(inputs_[i].path);
   }
-  VerdictCounts words;
-  for (const ConvertOutcome& outcome : batch.outcomes) {
-    if (outcome.status <= Status::kRejected) words.add(outcome.verdict.word);
+  return group;
+}
+
+void Batch::convert(const HeldInterrupt& interrupt, const Tell& at_once) {
+  const bool is_watched = at_once && console_.streams().out.is_terminal();  // what is told shows how far it is
+  Progress progress(entries_.size(), console_.streams().err);
+  parallel_for(entries_.size(), arguments_.request.jobs, [&](std::size_t i) {
+    if (interrupt.asked()) return;
+    convert_one(i, at_once);
+    if (!is_watched) progress.step();
+  });
+  for (auto& [index, whole] : whole_) {
+    for (text::Source& source : whole.sources) console_.files().remember(std::move(source));
   }
-  const std::size_t all = batch.outcomes.size() + batch.left;
-  std::string text = "\n" + table(lines) + "\n" + (reached < all ? "interrupted: " : "") + std::to_string(good) + " of " +
-                     counted(all, "input") + " converted";
-  text += written ? ", " + counted(files, "file") + " written" : ", nothing written (--dry-run)";
-  if (batch.skipped > 0)
-    text += "; " + counted(batch.skipped, "other file") + (batch.skipped == 1 ? " holds" : " hold") + " no camera";
-  return text + "; " + words.in_words() + "\n";
+}
+
+void Batch::convert_one(std::size_t index, const Tell& at_once) {
+  const Group group = this->group(index);
+  ConvertArguments arguments = each_;
+  arguments.request.inputs.files = group.files;
+  arguments.request.inputs.join = group.join;
+  // The command that converts that group alone.
+  TypedOptions typed = {{.name = "INPUT", .value = group.path, .positional = true}};
+  typed.insert(typed.end(), options_.begin(), options_.end());
+  CommandFiles files(console_.streams());
+  files.know_documents_of(known_);
+  ConvertOutcome outcome = convert_input(group.name, arguments, entries_.size() > 1 ? typed : typed_, files);
+  if (!group.named && holds_no_camera(outcome)) {
+    const std::scoped_lock lock(mutex_);
+    ++skipped_;
+    entries_[index].state = State::kSkipped;
+    return tell_on(at_once);
+  }
+  const Finished told = finished(outcome, arguments_, files.sources(), console_);
+  const std::scoped_lock lock(mutex_);
+  note(index, outcome);
+  if (is_in_full() && !arguments_.json) whole_.emplace(index, Whole{std::move(outcome), files.sources()});
+  if (at_once && index == next_) {
+    at_once(told);
+    entries_[index].state = State::kTold;
+  } else {
+    entries_[index] = {spool_.put(packed(told)), State::kKept};
+  }
+  tell_on(at_once);
+}
+
+void Batch::note(std::size_t index, const ConvertOutcome& outcome) {
+  ++converted_;
+  for (const ConvertedFile& file : outcome.files) {
+    if (!file.path.empty()) names_.add(index, file.path);
+  }
+  if (index < first_) {
+    first_ = index;
+    first_format_ = outcome.from;
+    if (outcome.to != nullptr)
+      first_extension_ = outcome.files.empty() ? outcome.to->extension : extension_of(outcome.files.front(), *outcome.to);
+  }
+  has_several_files_ = has_several_files_ || camera_files(outcome.files) > 1;
+  may_be_opencv_ = may_be_opencv_ || has_use_for_opencv_model(outcome);
+  for (std::size_t i = 0; i < used_.size(); ++i) {
+    const Acceptance& accepted = arguments_.request.accepted[i];
+    used_[i] = used_[i] || std::ranges::any_of(outcome.verdict.reasons, [&accepted](const Reason& reason) {
+                 return accepted.covers(reason) && (reason.is_accepted || !may_be_accepted(reason));
+               });
+  }
+}
+
+void Batch::tell_on(const Tell& at_once) {
+  for (; at_once && next_ < entries_.size() && entries_[next_].state != State::kLeft; ++next_) {
+    if (entries_[next_].state != State::kKept) continue;
+    at_once(unpacked(spool_.take(entries_[next_].piece)));
+  }
+}
+
+std::vector<Finished> Batch::take(std::size_t files) {
+  std::vector<Finished> taken;
+  for (std::size_t count = 0; next_ < entries_.size() && std::max(count, taken.size()) < files; ++next_) {
+    if (entries_[next_].state != State::kKept) continue;
+    Finished& finished = taken.emplace_back(unpacked(spool_.take(entries_[next_].piece)));
+    count += finished.files.size();
+    const auto whole = whole_.find(next_);
+    if (whole == whole_.end()) continue;
+    finished.whole = std::move(whole->second.outcome);
+    finished.whole->one_of_many = converted_ > 1;
+  }
+  return taken;
+}
+
+bool Batch::collide() const {
+  std::map<std::string, std::string> inputs;  // by the path of their output
+  for (const std::size_t suspect : names_.suspects()) {
+    const Finished finished = unpacked(spool_.look(entries_[suspect].piece));
+    for (const OutputFile& output : finished.files) {
+      if (output.path.empty()) continue;
+      const auto [first, is_new] = inputs.insert({output.path, finished.input});
+      if (is_new) continue;
+      const std::string of = first->second == finished.input ? "two outputs of " + finished.input
+                                                             : "the outputs of " + first->second + " and " + finished.input;
+      static_cast<void>(console_.refuse(ExitCode::kUsage, of + " would be written to " + output.path, how_to_part()));
+      return true;
+    }
+  }
+  return false;
+}
+
+/// How outputs that have one path are told apart: by what their inputs' names have of their own.
+std::string Batch::how_to_part() const {
+  for (const std::string_view names : {"{stem}", "{stem}.{extension}", "{folder}.{stem}", "{folder}.{stem}.{extension}"}) {
+    std::set<std::string> paths;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      if (entries_[i].state == State::kKept) paths.insert(with_names_of(group(i).name, "", std::string(names)));
+    }
+    if (paths.size() == converted_) {
+      return "use a pattern such as -o 'out/" + std::string(names) + (has_several_files_ ? ".{camera}" : "") +
+             first_extension_ + "'";
+    }
+  }
+  return "convert them one by one, each with an -o of its own";
+}
+
+std::optional<std::string> Batch::opencv_model_problem() const {
+  const Inputs& inputs = arguments_.request.inputs;
+  if (!inputs.opencv_model || !inputs.parts.empty() || may_be_opencv_ || converted_ == 0) return std::nullopt;
+  return opencv_model_without_use(group(first_).name, *first_format_);
 }
 
 }  // namespace fca::cli

@@ -3,7 +3,6 @@
 
 #include "options/application.h"
 #include "outcome.h"
-#include "shell/console.h"
 
 #include <string>
 #include <string_view>
@@ -33,9 +32,7 @@ struct ProofWords {
 [[nodiscard]] std::string convert_summary(const ConvertOutcome& outcome, bool written, bool is_short);
 /// The same without its first line.
 [[nodiscard]] std::string summary_lines(const ConvertResult& outcome, bool is_short);
-/// The full report for people (convert_text.cc), with the cameras' parameters where those are wanted, and for scripts
-/// (convert_json.cc).
+/// The full report (convert_text.cc), with the cameras' parameters where those are wanted.
 [[nodiscard]] std::string convert_text(const ConvertOutcome& outcome, bool written, bool with_parameters);
-[[nodiscard]] std::string convert_json(const std::vector<ConvertOutcome>& outcomes, const Console& console);
 
 }  // namespace fca::cli

@@ -139,7 +139,7 @@ void put_outputs(Json& json, const char* key, const ConvertOutcome& outcome, con
 
 }  // namespace
 
-void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& console) {
+void put_conversion(Json& json, const ConvertOutcome& outcome, std::span<const text::Source> sources) {
   json.put("input", outcome.input);
   if (outcome.from != nullptr) json.put("from", outcome.from->id);
   if (outcome.to != nullptr) json.put("to", outcome.to->id);
@@ -179,21 +179,13 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
   });
   put_defaults(json, outcome);
   put_losses(json, outcome);
-  put_diagnostics(json, outcome.diagnostics, console);
+  put_diagnostics(json, outcome.diagnostics, sources);
 }
 
-std::string convert_json(const std::vector<ConvertOutcome>& outcomes, const Console& console) {
+std::string conversion_json(const ConvertOutcome& outcome, std::span<const text::Source> sources) {
   Json json;
-  json.object([&] {
-    json.put("fca_io", FCA_VERSION);
-    if (outcomes.size() == 1) {
-      put_conversion(json, outcomes.front(), console);
-    } else {
-      json.array("conversions", outcomes,
-                 [&](const ConvertOutcome& outcome) { json.object([&] { put_conversion(json, outcome, console); }); });
-    }
-  });
-  return json.document();
+  json.object([&] { put_conversion(json, outcome, sources); });
+  return json.text();
 }
 
 }  // namespace fca::cli
