@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Many files at once: bench-batch [FILES] makes that many (10,000) different chains of two Double Sphere cameras and converts
 // them to ORB-SLAM3's kb4 and eucm with all processors, with the proof and without. Time, processor time and the largest memory
-// of each; beside them an empty C++ program, which compares machines.
+// of each; beside them an empty C++ program, which compares machines. bench-batch --memory FILES... does one conversion of each
+// number of files, as text and as JSON, and says how much memory a file more takes.
 #include "child.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <fstream>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <unistd.h>
@@ -42,12 +44,43 @@ void make_chains(const fs::path& folder, int count) {
     std::ofstream(folder / (std::to_string(i) + ".yaml")) << camera(0, random) << camera(1, random);
 }
 
+/// A folder of its own for each number of files.
+void print_memory(const fs::path& folder, const std::vector<int>& counts) {
+  for (const std::string how : {"", "--json", "--json-lines"}) {
+    double first = 0.0;
+    for (const int count : counts) {
+      const fs::path in = folder / std::to_string(count);
+      if (!fs::exists(in)) make_chains(in, count);
+      const fs::path out = folder / "out/";
+      std::vector<std::string> words = {FCA_IO,    "convert", in.string(), "--to",      "orbslam3",
+                                        "--model", "eucm",    "-o",        out.string()};
+      if (!how.empty()) words.push_back(how);
+      const Run all = run(words);
+      fs::remove_all(out);
+      if (first == 0.0) first = all.megabytes;
+      std::printf("%-12s %7d files  %7.1f s  processors %7.1f s  %6.1f MB", how.c_str(), count, all.seconds,
+                  all.processor_seconds, all.megabytes);
+      if (count > counts.front())
+        std::printf("  %5.0f bytes a file", (all.megabytes - first) * 1048576.0 / (count - counts.front()));
+      std::printf("  exit %d\n", all.code);
+      std::fflush(stdout);
+    }
+  }
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
-  const int files = count > 1 ? std::atoi(arguments[1]) : 10000;
   std::string pattern = (fs::temp_directory_path() / "fca-io-batch-XXXXXX").string();
   const fs::path folder = ::mkdtemp(pattern.data());
+  if (count > 2 && std::string_view(arguments[1]) == "--memory") {
+    std::vector<int> counts;
+    for (int i = 2; i < count; ++i) counts.push_back(std::atoi(arguments[i]));
+    print_memory(folder, counts);
+    fs::remove_all(folder);
+    return 0;
+  }
+  const int files = count > 1 ? std::atoi(arguments[1]) : 10000;
   make_chains(folder / "in", files);
   double empty = 1e9;
   for (int i = 0; i < 20; ++i) empty = std::min(empty, run({FCA_EMPTY_PROGRAM}).seconds);

@@ -171,7 +171,7 @@ std::vector<Finished> Batch::take(std::size_t files) {
   return taken;
 }
 
-bool Batch::collide() const {
+bool Batch::collide() {
   std::map<std::string, std::string> inputs;  // by the path of their output
   for (const std::size_t suspect : names_.suspects()) {
     const Finished finished = unpacked(spool_.look(entries_[suspect].piece));

@@ -5,12 +5,11 @@
 
 namespace fca::cli {
 
-std::vector<std::size_t> OutputNames::suspects() const {
-  std::vector<std::pair<std::size_t, std::size_t>> sorted = outputs_;
-  std::ranges::sort(sorted);
+std::vector<std::size_t> OutputNames::suspects() {
+  std::ranges::sort(outputs_);
   std::vector<std::size_t> inputs;
-  for (std::size_t i = 1; i < sorted.size(); ++i) {
-    if (sorted[i].first == sorted[i - 1].first) inputs.insert(inputs.end(), {sorted[i - 1].second, sorted[i].second});
+  for (std::size_t i = 1; i < outputs_.size(); ++i) {
+    if (outputs_[i].first == outputs_[i - 1].first) inputs.insert(inputs.end(), {outputs_[i - 1].second, outputs_[i].second});
   }
   std::ranges::sort(inputs);
   inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
