@@ -2,6 +2,8 @@
 #include "module.h"
 #include "images.h"
 
+#include <module_build.h>
+
 #include <fca/toolkit/remap.h>
 
 #include <opencv2/imgcodecs.hpp>
@@ -40,6 +42,8 @@ std::string png_bytes(const fca::cli::Picture& picture) {
 }
 
 }  // namespace
+
+extern "C" __attribute__((visibility("default"))) const char* fca_module_build() { return fca::kModuleBuild; }
 
 extern "C" __attribute__((visibility("default"))) const void* fca_picture_functions() {
   namespace module = fca::cli::module;

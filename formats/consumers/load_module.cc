@@ -3,8 +3,10 @@
 #include "fca/code.h"
 
 #include <dlfcn.h>
+#include <module_build.h>
 
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 namespace fca::consumers {
@@ -17,7 +19,11 @@ const void* load_module(const std::string& path, const char* function, const Mes
   const std::filesystem::path whole = command.parent_path() / path;
   // Lazily: OpenCV's libraries have ten thousands of symbols.
   void* module = whole.is_absolute() ? dlopen(whole.c_str(), RTLD_LAZY | RTLD_LOCAL) : nullptr;
-  void* found = module != nullptr ? dlsym(module, function) : nullptr;
+  // What it offers has the layout of the headers that it was compiled with.
+  void* const build = module != nullptr ? dlsym(module, "fca_module_build") : nullptr;
+  if (build != nullptr && std::string_view(reinterpret_cast<const char* (*)()>(build)()) != kModuleBuild)
+    throw MissingModule({Code::kModuleMissing, {what, Message{Code::kModuleOfAnotherBuild, {whole.string()}}}});
+  void* found = build != nullptr ? dlsym(module, function) : nullptr;
   if (found == nullptr) {
     const char* why = dlerror();
     throw MissingModule({Code::kModuleMissing, {what, why != nullptr ? std::string(why) : whole.string()}});

@@ -2,6 +2,10 @@
 // The module's one door.
 #include "storage_programs.h"
 
+#include <module_build.h>
+
+extern "C" __attribute__((visibility("default"))) const char* fca_module_build() { return fca::kModuleBuild; }
+
 extern "C" __attribute__((visibility("default"))) const void* fca_storage_programs() {
   namespace consumers = fca::consumers;
   static constexpr consumers::StoragePrograms kPrograms = {.kimera = &consumers::load_kimera,

@@ -32,6 +32,7 @@ std::span<const CodeInfo> proof_codes() {
                .severity = Severity::kError,
                .about = About::kUse,
                .text = "a part of the installation cannot be loaded, {0}: {1}"},
+      clause(Code::kModuleOfAnotherBuild, "{0} was built with other sources than this command"),
       clause(Code::kModuleOfPrograms, "which asks the programs that use OpenCV's reader"),
       clause(Code::kModuleOfPictures, "which makes pictures"),
   };

@@ -1305,6 +1305,7 @@ enum class Code : std::uint16_t {
   kRaysUpToNinety,
   kRaysInFiveSteps,
   kRaysWithoutAffine,
+  kModuleOfAnotherBuild,
   kModuleMissing,
   kModuleOfPrograms,
   kModuleOfPictures,
