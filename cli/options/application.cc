@@ -113,7 +113,8 @@ JsonShape json_asked_for(const std::vector<std::string>& words) {
   return json_shape(json, json_lines);
 }
 
-/// `fca-io FILE` is `fca-io show FILE`: is the first word anything like a path, and no command?
+/// `fca-io FILE` is `fca-io show FILE`, and with --to `fca-io convert FILE`: is the first word anything like a path, and no
+/// command?
 bool is_path(const std::string& word) {
   return is_standard_input(word) || word.find_first_of("./") != std::string::npos ||
          CLI::detail::check_path(word.c_str()) != CLI::detail::path_type::nonexistent;
@@ -165,7 +166,8 @@ ExitCode Application::run(std::span<const std::string> given, Console& console) 
       console.promise_json(json_asked_for(words));
       return console.refuse(ExitCode::kUsage, unknown_word("command", words.front(), names));
     }
-    words.insert(words.begin(), "show");
+    const auto is_target = [](const std::string& word) { return word == "--to" || word.starts_with("--to="); };
+    words.insert(words.begin(), std::ranges::any_of(words, is_target) ? "convert" : "show");
   }
   std::vector<std::string> rest(words.rbegin(), words.rend());  // as CLI11 wants it
   std::optional<Refusal> refusal;

@@ -83,7 +83,7 @@ void add_check_options(Options& options, CheckArguments& arguments) {
   options.group(OptionGroup::kOutput);
   add_json_option(options, arguments.json);
   add_verbose_option(options, "And what was looked at, and what cannot be decided", arguments.verbose);
-  options.flag("-q,--quiet", "Only files that something is wrong with, and one line for all", arguments.quiet);
+  add_quiet_option(options, "Only files that something is wrong with, and one line for all", arguments.quiet);
   options.flag("--sarif", "SARIF 2.1.0 on standard output, for CI services", arguments.sarif);
   options.footer(
       "Exit codes: 0 nothing that --fail-on names; 1 something; 2 no calibration; 3 usage; 4 input/output.\n\n"

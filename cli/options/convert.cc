@@ -87,7 +87,7 @@ void add_convert_options(Options& options, ConvertArguments& arguments) {
   add_json_option(options, arguments.json);
   add_json_lines_option(options, arguments.json_lines);
   add_verbose_option(options, "The full report; -vv: and the parameters, as a table", arguments.verbosity);
-  options.flag("-q,--quiet", "Errors only", arguments.quiet);
+  add_quiet_option(options, "Errors only", arguments.quiet);
   options.footer(
       "Example:\n"
       "  fca-io convert camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n"

@@ -39,6 +39,11 @@ void add_verbose_option(Options& options, const std::string& help, int& verbosit
   options.count(kVerbose, help, verbosity);
 }
 
+void add_quiet_option(Options& options, const std::string& help, bool& is_quiet) {
+  options.group(OptionGroup::kOutput);
+  options.flag("-q,--quiet", help, is_quiet);
+}
+
 void add_json_option(Options& options, bool& json) {
   options.group(OptionGroup::kOutput);
   options.flag("--json", "One JSON document on standard output", json, OptionKey::kJson);

@@ -16,6 +16,8 @@ void add_output_option(Options& options, const std::string& help, OutputPlace& p
 void add_verbose_option(Options& options, const std::string& help, bool& is_verbose);
 /// -v and -vv
 void add_verbose_option(Options& options, const std::string& help, int& verbosity);
+/// -q
+void add_quiet_option(Options& options, const std::string& help, bool& is_quiet);
 /// --json
 void add_json_option(Options& options, bool& json);
 /// --json-lines, of commands whose inputs may be many; it goes before --json.

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -75,6 +76,20 @@ std::optional<std::string> problem_with_extensions(const RemapArguments& argumen
   if (!arguments.mask.empty() && mask_extension != ".png") return "--mask wants a .png file";
   if (!arguments.map.empty() && !arguments.map.ends_with(".npy")) return "--map wants a .npy file, which NumPy reads";
   return std::nullopt;
+}
+
+/// Nothing to write, or no place for it.
+std::optional<std::string> problem_with_outputs(const RemapArguments& arguments) {
+  constexpr std::array<std::string_view, 4> kOfImages = {"{stem}", "{extension}", "{folder}", "{camera}"};
+  const OutputPlace& output = arguments.output;
+  if (arguments.images.empty() && arguments.map.empty() && arguments.mask.empty())
+    return "give images to remap, or --map or --mask to write those alone";
+  if (arguments.images.empty() && output.is_said()) return "-o is for images, and there is none";
+  if (!arguments.images.empty() && !output.is_said())
+    return "-o is missing: a file, a folder, or a pattern such as 'out/{stem}.png'";
+  if (arguments.json && output.kind == OutputPlace::Kind::kStandardOutput) return "with --json the image needs a file: -o PATH";
+  if (!arguments.map.empty() && arguments.map == arguments.mask) return "--map and --mask name the same file";
+  return problem_with_pattern(output, kOfImages);
 }
 
 void add_view_options(Options& options, RemapArguments& arguments, const std::shared_ptr<TypedView>& typed) {
@@ -142,6 +157,7 @@ void add_remap_options(Options& options, RemapArguments& arguments) {
       "  fca-io remap camchain.yaml --camera cam0 --model ds --map map.npy --mask m.png\n");
   options.afterwards([&request, typed] { return finish_view(request, *typed); });
   options.afterwards([&arguments] { return problem_with_extensions(arguments); });
+  options.afterwards([&arguments] { return problem_with_outputs(arguments); });
 }
 
 }  // namespace fca::cli

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kept_inputs.h"
 
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
+
 namespace fca::cli {
 
 namespace {
@@ -28,11 +31,14 @@ void KeptInputs::add(std::span<const std::string> files) {
 
 void KeptInputs::add(const std::string& file) { files_.insert(place_of(file)); }
 
-std::optional<std::string> KeptInputs::problem_with(const std::string& output) const {
-  if (files_.empty()) return std::nullopt;
+bool KeptInputs::hold(const std::string& output) const {
+  if (files_.empty()) return false;
   const std::filesystem::path place = place_of(output);
-  if (place.empty() || !files_.contains(place)) return std::nullopt;
-  return output + " is an input; name another place";
+  return !place.empty() && files_.contains(place);
+}
+
+std::optional<std::string> KeptInputs::problem_with(const std::string& output) const {
+  return hold(output) ? std::optional(text::text_of({Code::kOverwritesInput, {output}})) : std::nullopt;
 }
 
 }  // namespace fca::cli

@@ -23,6 +23,8 @@ class KeptInputs {
   KeptInputs(const Console& console, const Inputs& inputs);
 
   void add(std::span<const std::string> files);
+  /// Is the output one of them?
+  [[nodiscard]] bool hold(const std::string& output) const;
   /// "PATH is an input; name another place" where an output would replace one of them.
   [[nodiscard]] std::optional<std::string> problem_with(const std::string& output) const;
 

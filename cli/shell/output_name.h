@@ -25,6 +25,8 @@ struct OutputPlace {
   [[nodiscard]] bool holds_many() const { return kind >= Kind::kFolder; }
   /// A folder for each input: "out/{stem}/".
   [[nodiscard]] bool is_folder_pattern() const { return kind == Kind::kPattern && path.ends_with('/'); }
+  /// A file for each camera: "out/{camera}.yaml".
+  [[nodiscard]] bool names_camera() const { return kind == Kind::kPattern && path.find("{camera}") != std::string::npos; }
 };
 
 /// What output_path() fills in.

@@ -17,7 +17,7 @@ std::span<const CodeInfo> command_codes() {
   static constexpr std::array kRows = {
       bad_request(Code::kUsage, "usage", "{0}", "{1}"),
       bad_request(Code::kRefused, "refused", "{0}", "{1}"),
-      bad_request(Code::kOverwritesInput, "overwrites-input", "{0}"),
+      bad_request(Code::kOverwritesInput, "overwrites-input", "{0} is an input; name another place"),
       clause(Code::kCommandInstead, "{0}"),
       error(Code::kImageMissing, "cannot-read", "there is no such file"),
       error(Code::kImageIsFolder, kNoImage, "it is a folder"),

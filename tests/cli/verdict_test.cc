@@ -5,7 +5,9 @@
 #include "cli/told.h"
 #include "shell/verdict_text.h"
 
+#include <fca/code.h>
 #include <fca/formats/consumers/consumer.h>
+#include <fca/formats/text/message.h>
 
 #include <algorithm>
 #include <array>
@@ -75,7 +77,7 @@ TEST(VerdictFirst, AFisheyePairGetsTheLayoutThatTheProgramReadsRightly) {
   const RunResult text = run_program(words, {.in_full = false});
   std::string first = text.err.substr(0, text.err.find("cam0"));
   while (contains(first, "\n  ")) first = with_replaced(first, "\n  ", " ");
-  EXPECT_TRUE(contains(first, "for ORB-SLAM3 V1.0 in its older layout")) << text.err;
+  EXPECT_TRUE(contains(first, text::text_of({Code::kOrbslam3StyleBefore, {"ORB-SLAM3 V1.0"}}))) << text.err;
   EXPECT_TRUE(contains(text.err, "--orbslam3-layout v1")) << text.err;
   const VerdictWord word = word_of(run) == "ready" ? VerdictWord::kReady : VerdictWord::kUseWithCare;
   EXPECT_EQ(word_of(run), name_of(word));

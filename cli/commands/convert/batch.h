@@ -49,7 +49,7 @@ class Batch {
   [[nodiscard]] std::vector<Finished> take(std::size_t files);
 
   /// Refuses before anything is written that two outputs have one path.
-  [[nodiscard]] bool collide() const;
+  [[nodiscard]] bool collide();
   /// --opencv-model without a file that it could be about, in words.
   [[nodiscard]] std::optional<std::string> opencv_model_problem() const;
   /// Which of the request's accepted reasons are reasons of some input.

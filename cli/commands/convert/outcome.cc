@@ -25,8 +25,7 @@ OutputRoom room(const ConvertArguments& arguments) {
   result.further_files = output.kind == OutputPlace::Kind::kFolder || output.is_folder_pattern();
   result.fillers = result.further_files && (arguments.one_input || output.is_folder_pattern());
   result.given_parts = !arguments.in_place && (!output.is_said() || output.is_standard_output());
-  result.camera_files =
-      result.further_files || (!output.is_said() && arguments.json) || output.path.find("{camera}") != std::string::npos;
+  result.camera_files = result.further_files || (!output.is_said() && arguments.json) || output.names_camera();
   return result;
 }
 
@@ -61,9 +60,8 @@ void add_commands(const ConvertArguments& arguments, const TypedOptions& typed, 
 void keep_images(const Inputs& inputs, ConvertOutcome& outcome) {
   const KeptInputs images(inputs);
   for (const ConvertedFile& file : outcome.files) {
-    const std::optional<std::string> problem = images.problem_with(file.path);
-    if (!problem) continue;
-    outcome.diagnostics.add(Code::kOverwritesInput, {*problem});
+    if (!images.hold(file.path)) continue;
+    outcome.diagnostics.add(Code::kOverwritesInput, {file.path});
     outcome.status = Status::kBadRequest;
     return;
   }

@@ -25,8 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 4> kOfImages = {"{stem}", "{extension}", "{folder}", "{camera}"};
-
 /// Of standard output its name, for messages.
 std::string output_path(const OutputPlace& place, const std::string& input, const std::string& camera) {
   switch (place.kind) {
@@ -81,16 +79,8 @@ void remap_image(const RemapArguments& arguments, const Camera& source, const Im
 
 std::optional<std::string> problem_with_output(const RemapArguments& arguments, std::span<const FoundFile> images,
                                                const std::string& camera) {
-  if (images.empty() && arguments.map.empty() && arguments.mask.empty())
-    return "give images to remap, or --map or --mask to write those alone";
-  if (images.empty() && arguments.output.is_said()) return "-o is for images, and there is none";
-  if (!images.empty() && !arguments.output.is_said())
-    return "-o is missing: a file, a folder, or a pattern such as 'out/{stem}.png'";
-  if (std::optional<std::string> problem = problem_with_pattern(arguments.output, kOfImages)) return problem;
   const bool many = images.size() > 1 || (images.size() == 1 && !images.front().named);
   if (many && !arguments.output.holds_many()) return "several images need -o FOLDER/ or a pattern such as -o 'out/{stem}.png'";
-  if (arguments.json && arguments.output.kind == OutputPlace::Kind::kStandardOutput)
-    return "with --json the image needs a file: -o PATH";
   std::vector<std::string> files = arguments.request.inputs.files;
   for (const FoundFile& image : images) files.push_back(image.path);
   KeptInputs inputs(arguments.request.inputs);
@@ -98,7 +88,6 @@ std::optional<std::string> problem_with_output(const RemapArguments& arguments, 
   for (const std::string& path : {arguments.map, arguments.mask}) {
     if (std::optional<std::string> problem = inputs.problem_with(path)) return problem;
   }
-  if (!arguments.map.empty() && arguments.map == arguments.mask) return "--map and --mask name the same file";
   std::set<std::string> taken;
   for (const FoundFile& image : images) {
     const std::string path = output_path(arguments.output, image.path, camera);

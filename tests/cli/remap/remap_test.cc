@@ -239,7 +239,7 @@ TEST(Remap, TakesManyImages) {
     const RunResult run = run_program(
         {"remap", camera, folder / "in", "--pinhole", "60", "--jobs", jobs, "-o", folder / "out" + jobs + "/{stem}.u.png"});
     ASSERT_EQ(run.code, 0) << run.err;
-    EXPECT_TRUE(contains(run.out, "12 of 12 images written")) << run.out;
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder / "out" + jobs), fs::directory_iterator()), kImages);
     for (int i = 0; i < kImages; ++i) {
       const cv::Mat1b image = read_picture(folder / "out" + jobs + "/" + std::to_string(i) + ".u.png");
       ASSERT_EQ(image.size(), cv::Size(752, 480));

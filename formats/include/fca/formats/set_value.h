@@ -9,7 +9,8 @@
 
 namespace fca {
 
-/// A key, with '/' between the levels of nested ones ("cam0/rostopic"), and what it is to say.
+/// A key, with '/' between the levels of nested ones ("cam0/rostopic"), and what it is to say: in words, as its type is the
+/// format's.
 struct KeyValue {
   std::string key;
   std::string value;

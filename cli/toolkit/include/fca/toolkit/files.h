@@ -27,8 +27,8 @@ class Files {
   Files(const Files&) = delete;
   Files& operator=(const Files&) = delete;
 
-  /// A calibration file; "-" is standard input, which is read once, however often it is asked for. Nothing with an error
-  /// "cannot-read".
+  /// A calibration file. "-" is read once, however often it is asked for: where fetch() takes it for standard input, as the
+  /// command's does. Nothing with an error "cannot-read".
   [[nodiscard]] std::optional<text::Source> read(const std::string& path, Diagnostics& diagnostics);
   /// An image, decoded. Nothing with an error.
   [[nodiscard]] virtual std::optional<Image> read_image(const std::string& path, Diagnostics& diagnostics);
