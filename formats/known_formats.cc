@@ -23,6 +23,7 @@ constexpr std::array kKnown = {
     Known{Code::kLooksLikeMultiColRig, "CameraSystem.nrCams", "CameraSystem.cam1_1"},
     Known{Code::kLooksLikeOv2Slam, "Camera.fxl", "Camera.model_left"},
     Known{Code::kLooksLikeD2Slam, "estimation_mode", "self_id"},
+    Known{Code::kLooksLikeD2Slam, "estimation_mode", "double_counting_common_feature"},
     Known{Code::kLooksLikeLarvio, "T_cam_imu", "if_FEJ"},
     Known{Code::kLooksLikeOkvis, "T_SC", "image_dimension"},
     Known{Code::kLooksLikeOkvis, "camera_parameters", "imu_parameters"},

@@ -342,7 +342,8 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
     const Code kind = code_of(finding);
     if (finding.severity == Severity::kNote) continue;
     // What programs refuse and misread, their proofs say, in numbers.
-    const bool cannot_be_asked = !facts.is_read || kind == Code::kProgramOtherFormat || kind == Code::kRosPairVertical;
+    const bool is_of_rows = kind == Code::kRosPairVertical && facts.to->id == "ros";
+    const bool cannot_be_asked = !facts.is_read || kind == Code::kProgramOtherFormat || is_of_rows;
     const About about = info(kind).about;
     const bool counts = about == About::kMeaning || (about == About::kPoses && states_poses(facts)) ||
                         (cannot_be_asked && finding.severity == Severity::kError);
@@ -374,22 +375,34 @@ Message worded(const Contradiction& contradiction, const Rig& rig, std::vector<M
 }
 
 /// Which of two statements of a pose the written files have; nothing where they have neither, or nothing is written.
-std::vector<Message> as_written(const Contradiction& contradiction, const Rig& rig, std::span<const PoseEdge> poses) {
-  const auto& [edge, path, around, difference] = contradiction.loop;
-  const PoseEdge& stated = rig.poses[edge];
+Message as_written(const Contradiction& contradiction, const Rig& rig, std::span<const PoseEdge> poses) {
+  const PoseLoop& loop = contradiction.loop;
+  const PoseEdge& stated = rig.poses[loop.edge];
   Rig written;
   written.poses.assign(poses.begin(), poses.end());
+  const auto names_of_path = [&rig, &loop](auto&& is_among) {
+    std::vector<std::string> names;
+    for (const std::size_t other : loop.path) {
+      if (is_among(rig.poses[other])) names.push_back(name_of(rig.poses[other]));
+    }
+    return names;
+  };
   const std::optional<Transform> T = written.resolve(stated.a, stated.b);
-  if (!T) return {};
+  if (!T) {
+    const std::vector<std::string> stated_ones = names_of_path([&written](const PoseEdge& other) {
+      const std::optional<Transform> there = written.resolve(other.a, other.b);
+      return there && !difference_of(*there, other.T_a_b).contradicts();
+    });
+    return stated_ones.empty() ? Message{} : Message{Code::kPoseWrittenAsStated, {stated_ones}};
+  }
   std::erase_if(written.poses, [&stated](const PoseEdge& other) {
     return (other.a == stated.a && other.b == stated.b) || (other.a == stated.b && other.b == stated.a);
   });
   const std::optional<Transform> by_others = written.resolve(stated.a, stated.b);
-  if (by_others && difference_of(*T, *by_others).contradicts()) return {{Code::kPosesWrittenBoth}};
-  if (!difference_of(*T, stated.T_a_b).contradicts()) return {{Code::kPoseWrittenAsStated, {name_of(stated)}}};
-  std::vector<std::string> others;
-  for (const std::size_t other : path) others.push_back(name_of(rig.poses[other]));
-  return {{Code::kPoseWrittenAsDerived, {name_of(stated), others}}};
+  if (by_others && difference_of(*T, *by_others).contradicts()) return {Code::kPosesWrittenBoth};
+  if (!difference_of(*T, stated.T_a_b).contradicts())
+    return {Code::kPoseWrittenAsStated, {std::vector<std::string>{name_of(stated)}}};
+  return {Code::kPoseWrittenAsDerived, {name_of(stated), names_of_path([](const PoseEdge& /*other*/) { return true; })}};
 }
 
 /// A pose that was left out counts as decided; all others by how grave they are.
@@ -404,11 +417,13 @@ void add_contradictions(const VerdictFacts& facts, std::vector<Reason>& reasons)
   for (const Contradiction& each : contradictions(*facts.rig)) {
     const Message mistake = {each.mistake, {name_of(facts.rig->poses[each.loop.edge])}};
     if (each.blame != Blame::kNone && is_of_unwritten_pose({.facts = mistake}, facts)) continue;
-    const bool is_explained = each.mistake != Code::kNone;
-    std::vector<Message> written = as_written(each, *facts.rig, facts.written_poses);
-    Message said = is_explained ? mistake : worded(each, *facts.rig, written);
-    if (is_explained && !written.empty()) said = {Code::kVerdictMistakeWritten, {mistake, written.front()}};
-    reasons.push_back({.word = word_of(each.severity), .facts = std::move(said), .kind = each.mistake});
+    Message addition = as_written(each, *facts.rig, facts.written_poses);
+    // The wrong statement is not the one that the files have.
+    const bool is_avoided = each.blame != Blame::kNone && addition.code == Code::kPoseWrittenAsDerived;
+    reasons.push_back({.word = is_avoided ? VerdictWord::kUseWithCare : word_of(each.severity),
+                       .facts = each.mistake != Code::kNone ? mistake : worded(each, *facts.rig, {}),
+                       .kind = each.mistake,
+                       .addition = std::move(addition)});
   }
 }
 
@@ -433,7 +448,7 @@ constexpr std::array kLimits = {Code::kMisreadBeyondLimit, Code::kMissingBeyondL
 
 bool may_be_accepted(const Reason& reason) {
   // No file can state a pose that mirrors.
-  return reason.kind != Code::kPoseMirrors && std::ranges::find(kLimits, reason.facts.code) == kLimits.end();
+  return reason.facts.code != Code::kPoseMirrors && std::ranges::find(kLimits, reason.facts.code) == kLimits.end();
 }
 
 bool may_be_accepted(Code code) { return !same_id(code, kLimits); }

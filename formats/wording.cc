@@ -53,7 +53,9 @@ std::string id_of(const Reason& reason) {
   return std::string(info(reason.kind != Code{} ? reason.kind : reason.facts.code).id);
 }
 
-std::string message_of(const Reason& reason, text::Wording wording) { return text::text_of(reason.facts, wording); }
+std::string message_of(const Reason& reason, text::Wording wording) {
+  return text::text_of(reason.facts, wording) + text::text_of(reason.addition, wording);
+}
 
 std::string fix_of(const Reason& reason, text::Wording wording) {
   return reason.remedy.is_said() ? text::in_place(reason.remedy, text::Part::kFix, wording)

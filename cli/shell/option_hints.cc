@@ -140,9 +140,7 @@ constexpr std::array kHints = {
     OptionHint{Code::kVinsImuDropped, text::Part::kFix, kIntoConfiguration},
     OptionHint{Code::kVinsSecondImuDropped, text::Part::kFix, kImuAsFile},
     OptionHint{Code::kVinsCameraDropped, text::Part::kFix, "--camera chooses which"},
-    OptionHint{Code::kVinsTimeOffsetDropped, text::Part::kFix,
-               "add {2:.12} s to every image time stamp of {0}, or --into CONFIG.yaml -o FOLDER/ writes it into VINS-Fusion's "
-               "own configuration"},
+    OptionHint{Code::kVinsTimeOffsetDropped, text::Part::kFix, kIntoConfiguration},
     OptionHint{Code::kVinsIntoConfiguration, text::Part::kText, kIntoConfiguration},
 
     // ROS camera_info files.

@@ -84,7 +84,9 @@ void check_unified(const Subject& subject, const Camera& camera, Findings& findi
   if (findings.has(Code::kAnyFocalLengthNotInPixels, subject.places.parameter(camera, "fx")) ||
       findings.has(Code::kAnySizeUnlikeCentre, subject.places.image_width(camera)))
     return;
-  findings.add(Code::kMeiUnderRadtan, {camera.name, k1, k2, 100.0 * outwards}, subject.places.parameter(camera, "k2"));
+  constexpr double kNoLensAtAll = 10.0;  // the corner at eleven times its radius
+  findings.add(outwards > kNoLensAtAll ? Severity::kError : Severity::kWarning, Code::kMeiUnderRadtan,
+               {camera.name, k1, k2, 100.0 * outwards}, subject.places.parameter(camera, "k2"));
 }
 
 /// Of the shortest spelling that reads as the number: 2 of 0.00120 and of 1.2e-5.

@@ -35,6 +35,7 @@ constexpr std::array kTwice = {
     Twice{Code::kOpencvReadWithout, Code::kCvDistortionMissing},
     Twice{Code::kOpencvSkewKept, Code::kCvSkewUnused, true, true},
     Twice{Code::kRosSkewKept, Code::kRosSaysSkewUnused, true},
+    Twice{Code::kRosCoefficientsOfZeros, Code::kRosSaysCoefficientsOfZeros},
     Twice{Code::kOpencvCameraCount, Code::kCvCameraCount},
     Twice{Code::kKalibrSaysAlphaOutside, Code::kCamchainAlphaBelowOne},
     Twice{Code::kWoodscapeJsonReadByNobody, Code::kProjectionPyIgnores},

@@ -36,7 +36,7 @@ ProbeResult probe(const text::Document& document) {
     if (has(section)) return {evidence::kCamera, Message{Code::kFoundTopLevel, {section}}};
   }
   // D2SLAM's settings have VINS' keys; its program reads further files, and lenses of its own.
-  if (has("self_id") && has("estimation_mode")) return {};
+  if (has("estimation_mode") && (has("self_id") || has("double_counting_common_feature"))) return {};
   // OV2SLAM's settings have body_T_cam0, too.
   const bool of_vins = has("num_of_cam") || has("image0_topic") || has("acc_n") || has("max_cnt");
   if (has("cam0_calib")) return {evidence::kCamera, Message{Code::kFoundTopLevel, {"cam0_calib"}}};

@@ -160,13 +160,6 @@ rapidjson::Document timeless(const std::string& text) {
   return document;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 /// Good ones, a wrong one in the middle, and one without a camera; more than have their reports.
 std::vector<std::string> fill_with_a_wrong_one(const TemporaryFolder& folder) {
   fs::create_directories(folder.path() / "rigs");

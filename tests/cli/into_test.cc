@@ -16,13 +16,6 @@ const std::string kSettings = testdata("formats/orbslam3/good/v1-stereo-inertial
 const std::string kOpenVins = testdata("formats/openvins/good/mono.yaml");
 const std::string kFork = testdata("formats/orbslam3/good/slam-no-opt-eucm.yaml");
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 /// The lines of `after` that differ from the same line of `before`, each behind the last key before it.
 std::vector<std::string> lines_that_differ(const std::string& before, const std::string& after) {
   const std::vector<std::string> was = lines_of(before);

@@ -30,6 +30,10 @@ const std::array kForeign = {
     Foreign{"orbit.yaml", "%YAML:1.0\nCamera.nrpol: 5\nCamera.nrinvpol: 12\nCamera.a0: -210.5\n", Code::kLooksLikeMultiCol},
     Foreign{"rig.yaml", "%YAML:1.0\nCameraSystem.nrCams: 2\nCameraSystem.cam1_1: 0.1\n", Code::kLooksLikeMultiColRig},
     Foreign{"quad.yaml", "estimation_mode: 1\nself_id: 2\n", Code::kLooksLikeD2Slam},
+    Foreign{"single.yaml",
+            "%YAML:1.0\nestimation_mode: 0\ndouble_counting_common_feature: 0\nimage0_topic: a\nacc_n: 0.1\n"
+            "body_T_cam0: 1\n",
+            Code::kLooksLikeD2Slam},
     Foreign{"larvio.yaml",
             "%YAML:1.0\nif_FEJ: 1\nT_cam_imu: !!opencv-matrix\n   rows: 1\n   cols: 1\n   dt: d\n   data: [ 1. ]\n",
             Code::kLooksLikeLarvio},

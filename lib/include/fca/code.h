@@ -78,7 +78,6 @@ enum class Code : std::uint16_t {
   kVerdictPosesDiffer,
   kVerdictNumbersDiffer,
   kVerdictPosesContradict,
-  kVerdictMistakeWritten,
   kPoseWrittenAsStated,
   kPoseWrittenAsDerived,
   kPosesWrittenBoth,
@@ -1305,8 +1304,8 @@ enum class Code : std::uint16_t {
   kRaysUpToNinety,
   kRaysInFiveSteps,
   kRaysWithoutAffine,
-  kModuleOfAnotherBuild,
   kModuleMissing,
+  kModuleOfAnotherBuild,
   kModuleOfPrograms,
   kModuleOfPictures,
 
