@@ -128,5 +128,38 @@ TEST(Contradictions, AConversionToAnotherFormatNamesThem) {
   }
 }
 
+// Two statements of one pose: which one is in the files decides whether these are wrong.
+TEST(Contradictions, AConversionSaysWhichStatementTheFilesHave) {
+  struct Expected {
+    const char* file;
+    const char* format;
+    Code addition;
+    VerdictWord word;
+  };
+  for (const Expected& each : {
+           Expected{"poses-contradict.yaml", "openvins", Code::kPoseWrittenAsStated, VerdictWord::kDoNotUse},
+           Expected{"poses-contradict.yaml", "kalibr", Code::kPosesWrittenBoth, VerdictWord::kDoNotUse},
+           Expected{"poses-contradict.yaml", "orbslam3", Code::kPoseWrittenAsStated, VerdictWord::kDoNotUse},
+           Expected{"pose-inverted-of-three.yaml", "openvins", Code::kPoseWrittenAsDerived, VerdictWord::kUseWithCare},
+           Expected{"pose-inverted-of-three.yaml", "kalibr", Code::kPosesWrittenBoth, VerdictWord::kDoNotUse},
+       }) {
+    SCOPED_TRACE(std::string(each.file) + " " + each.format);
+    const ConvertResult result = converted({each.file, {}}, each.format);
+    const auto reason =
+        std::ranges::find_if(result.verdict.reasons, [](const Reason& one) { return one.addition.code != Code::kNone; });
+    ASSERT_NE(reason, result.verdict.reasons.end());
+    EXPECT_EQ(reason->addition.code, each.addition);
+    EXPECT_EQ(reason->word, each.word);
+  }
+}
+
+// ROS' stereo matching looks along rows; other programs take such a pair as it is.
+TEST(Verdict, OneCameraAboveTheOtherConcernsRosAlone) {
+  const Case lower = {"ros-one-above-the-other.yaml", {}};
+  const auto is_of_rows = [](const Reason& reason) { return same_id(reason.facts.code, Code::kAnyStereoVertical); };
+  EXPECT_TRUE(std::ranges::none_of(converted(lower, "kalibr").verdict.reasons, is_of_rows));
+  EXPECT_TRUE(std::ranges::any_of(converted(lower, "ros").verdict.reasons, is_of_rows));
+}
+
 }  // namespace
 }  // namespace fca::test
