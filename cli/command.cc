@@ -10,6 +10,7 @@
 #include "commands/remap/remap_command.h"
 #include "commands/report/report_command.h"
 #include "commands/show/show_command.h"
+#include "commands/version/version_command.h"
 #include "options/application.h"
 #include "shell/option_hints.h"
 #include "shell/spool.h"
@@ -24,7 +25,7 @@ namespace fca::cli {
 
 namespace {
 
-ExitCode run_words(std::span<const std::string> words, Streams& streams) {
+ExitCode run_words(std::span<const std::string> words, Streams& streams, const Origin& origin) {
   Console console(streams);
   Application application;
   add_convert_command(application);
@@ -36,18 +37,19 @@ ExitCode run_words(std::span<const std::string> words, Streams& streams) {
   add_project_commands(application);
   add_list_commands(application);
   add_evaluate_command(application);
+  add_version_command(application, origin);
   return console.finish(application.run(words, console));
 }
 
 }  // namespace
 
-int run(std::span<const std::string> words, Streams& streams) {
+int run(std::span<const std::string> words, Streams& streams, const Origin& origin) {
   const auto fail = [&streams](ExitCode code, const std::string& message) {
     streams.err.write("fca-io: " + message + "\n");
     return static_cast<int>(code);
   };
   try {
-    return static_cast<int>(run_words(words, streams));
+    return static_cast<int>(run_words(words, streams, origin));
   } catch (const consumers::MissingModule& error) {
     return fail(ExitCode::kIo, text::text_of(error.facts, with_options) +
                                    "; install fca-io, for images also fca-io-images, or allow more memory (ulimit -v)");

@@ -15,5 +15,5 @@ int main(int argc, char** argv) {
   fca::cli::ProcessOutput err(stderr);
   fca::cli::Streams streams = {std::cin, out, err};
   const std::vector<std::string> words(argv + 1, argv + argc);
-  return fca::cli::run(words, streams);
+  return fca::cli::run(words, streams, fca::cli::origin_of_build());
 }

@@ -26,4 +26,9 @@ void add_programs_options(Options& options, ListArguments& arguments) {
   options.footer("Example:\n  fca-io programs\n");
 }
 
+void add_version_options(Options& options, ListArguments& arguments) {
+  add_json_option(options, arguments.json);
+  options.footer("Example:\n  fca-io version\n");
+}
+
 }  // namespace fca::cli

@@ -7,7 +7,7 @@
 
 namespace fca::cli {
 
-/// What `formats`, `models` or `programs` was asked for.
+/// What `formats`, `models`, `programs` or `version` was asked for.
 struct ListArguments {
   Inputs inputs;  ///< Of `models FILE`; no file: all models are listed.
   bool json = false;
@@ -18,5 +18,6 @@ struct ListArguments {
 void add_formats_options(Options& options, ListArguments& arguments);
 void add_models_options(Options& options, ListArguments& arguments);
 void add_programs_options(Options& options, ListArguments& arguments);
+void add_version_options(Options& options, ListArguments& arguments);
 
 }  // namespace fca::cli

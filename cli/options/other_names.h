@@ -15,7 +15,7 @@ struct OtherName {
 };
 
 inline constexpr std::array kOtherNames = {OtherName{"diff", "compare"}, OtherName{"undistort", "remap"},
-                                           OtherName{"version", "--version"}, OtherName{"help", "--help"}};
+                                           OtherName{"help", "--help"}};
 
 /// The words with the first one's usual name; `help COMMAND` is `COMMAND --help`.
 [[nodiscard]] std::vector<std::string> in_usual_names(std::vector<std::string> words);

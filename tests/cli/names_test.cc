@@ -118,7 +118,8 @@ TEST(Names, CommandsHaveOthersToo) {
   EXPECT_EQ(run_program({"help", "convert"}).out, run_program({"convert", "--help"}).out);
   EXPECT_EQ(run_program({"undistort", "--help"}).out, run_program({"remap", "--help"}).out);
   EXPECT_EQ(run_program({"help"}).out, run_program({"--help"}).out);
-  EXPECT_EQ(run_program({"version"}).out, run_program({"--version"}).out);
+  // A script that wants the first line gets the same of both.
+  EXPECT_TRUE(run_program({"version"}).out.starts_with(run_program({"--version"}).out));
 }
 
 TEST(Names, AnImuBesideAChainIsAPartOfIt) {
