@@ -13,6 +13,8 @@ install(FILES ${completions}/fca-io.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/ba
 install(FILES ${completions}/_fca-io DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT command)
 install(FILES ${completions}/fca-io.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT command)
 
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/cli/schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/fca-io COMPONENT command)
+
 # fca_package(COMPONENT NAME SECTION SUMMARY TEXT [DEPENDS ...]): one Debian package of that component, with its licence and
 # changelog.
 set(FCA_COMPONENTS "")
