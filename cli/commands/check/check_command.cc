@@ -47,7 +47,9 @@ CheckReport unreadable(const Diagnostics& diagnostics) {
   for (const Diagnostic& entry : diagnostics.entries()) {
     report.findings.push_back(
         {.severity = entry.severity, .facts = entry.facts, .where = entry.where, .kind = entry.kind, .remedy = entry.remedy});
+    report.verdict.reasons.push_back({.word = VerdictWord::kDoNotUse, .facts = entry.facts, .kind = entry.kind});
   }
+  report.verdict.word = VerdictWord::kDoNotUse;
   return report;
 }
 
