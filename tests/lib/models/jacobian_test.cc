@@ -97,14 +97,15 @@ TEST(Jacobian, OnTheAxis) {
         // Shear (ocamcalib) mixes the axes.
         const bool along_v = i == kParameterCount<M> + 1;
         double shear_u = along_v ? focal[0] / 2.0 * parameter(camera.intrinsics, "e").value_or(0.0) : 0.0;
-        // So does a skew.
-        const double skew = parameter(camera.intrinsics, "skew").value_or(0.0);
-        if (along_v && skew != 0.0) shear_u += skew * focal[1] / 2.0 / parameter(camera.intrinsics, "fy").value();
         double shear_v = i == kParameterCount<M> ? focal[0] / 2.0 * parameter(camera.intrinsics, "d").value_or(0.0) : 0.0;
         // So does a tilted image plane.
         const double tilt_x = std::tan(parameter(camera.intrinsics, "tau_x").value_or(0.0));
         const double tilt_y = std::tan(parameter(camera.intrinsics, "tau_y").value_or(0.0));
         if (i == kParameterCount<M>) shear_v -= parameter(camera.intrinsics, "fy").value_or(0.0) / 2.0 * tilt_x * tilt_y;
+        // So does a skew, of what moves along v.
+        const double skew = parameter(camera.intrinsics, "skew").value_or(0.0);
+        if (i >= kParameterCount<M> && skew != 0.0)
+          shear_u += skew * (dv + shear_v) / parameter(camera.intrinsics, "fy").value();
         EXPECT_NEAR(pixel[0].v[index], du + shear_u, 1e-12 * (1.0 + focal[0])) << i;
         EXPECT_NEAR(pixel[1].v[index], dv + shear_v, 1e-12 * (1.0 + focal[1])) << i;
       }
