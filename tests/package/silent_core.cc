@@ -93,9 +93,9 @@ int main() {
   convert_all(bad);
 
   // A part is enough for the threads.
-  for (std::size_t i = 0; i < bad.size(); i += 10) cameras.push_back(bad[i]);
+  for (std::size_t i = 0; i < bad.size(); i += 20) cameras.push_back(bad[i]);
   const std::vector<std::uint64_t> alone = convert_all(cameras);
-  std::vector<std::vector<std::uint64_t>> together(4);
+  std::vector<std::vector<std::uint64_t>> together(3);
   std::vector<std::thread> threads;
   for (std::vector<std::uint64_t>& bits : together) threads.emplace_back([&bits, &cameras] { bits = convert_all(cameras); });
   for (std::thread& thread : threads) thread.join();

@@ -86,8 +86,9 @@ def test_a_skewed_matrix_is_kept():
     camera = fca_io.Camera.from_opencv(K, [0.1, 0.0, 0.0, 0.0, 0.0])
     np.testing.assert_allclose(camera.project([0.0, 1.0, 10.0])[0], 320.0 + 0.1 * 1.001, rtol=0, atol=1e-9)
     np.testing.assert_array_equal(camera.to_opencv()[0], K)
-    with pytest.raises(ValueError, match="skew"):  # no model has both
-        fca_io.Camera.from_opencv(K, [0.1] * 14)
+    tilted = fca_io.Camera.from_opencv(K, [0.01] * 14)
+    assert tilted.model == "opencv14-skew"
+    np.testing.assert_array_equal(tilted.to_opencv()[0], K)
 
 
 @pytest.mark.parametrize("model, parameters", [("kb5", KB4), ("kb4", {"fz": 1.0}), ("kb4", {"fx": -1.0}), ("kb4", {**KB4, "k1": math.inf}),
