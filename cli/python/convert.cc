@@ -83,14 +83,14 @@ py::dict files_of(const Conversion& conversion) {
 }
 
 /// Nothing is written of a file that is not to be used.
-void save_into(const Conversion& conversion, const py::object& folder) {
+void save_into(const Conversion& conversion, const py::object& folder, bool force) {
   if (conversion.result.status != Status::kDone) {
     const std::vector<Reason>& reasons = conversion.result.verdict.reasons;
     raise_value_error("the verdict is " + std::string(name_of(conversion.result.verdict.word)) + ": nothing is written" +
                       (reasons.empty() ? "" : "; " + message_of(reasons.front())));
   }
   Diagnostics diagnostics;
-  if (!save(conversion.result, path_of(folder), diagnostics)) raise(diagnostics);
+  if (!save(conversion.result, path_of(folder), diagnostics, force)) raise(diagnostics);
 }
 
 std::optional<ErrorSummary> error_of(const ConvertedCamera& camera) {
@@ -137,8 +137,9 @@ void add_convert(py::module_& module) {
       .def_property_readonly(
           "details", [](const Conversion& each) { return losses_of(each, false); },
           "What the files cannot say and no program uses.")
-      .def("save", &save_into, py::arg("folder"),
-           "Writes the files into a folder. ValueError where the verdict is 'do-not-use'.")
+      .def("save", &save_into, py::arg("folder"), py::kw_only(), py::arg("force") = false,
+           "Writes the files into a folder, which is made if it is not there. ValueError where the verdict is 'do-not-use'; "
+           "Error where a file exists, unless force is given.")
       .def("__repr__", [](const Conversion& each) {
         return "<fca_io.Conversion to " + std::string(each.result.to->id) + ": " +
                std::string(name_of(each.result.verdict.word)) + ">";

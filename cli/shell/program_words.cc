@@ -80,8 +80,8 @@ std::string program_reading_text(const ProgramReading& reading, const Calibratio
   std::string text = "\nas " + program + " reads it\n";
   if (!reading.reads_format) {
     return text + "  nothing: it does not read the " + std::string(calibration.format->title) + " format\n" +
-           "    do: fca-io convert " + shell_word(file) + " --to " + std::string(reading.program->format) + " (fca-io check " +
-           shell_word(file) + " --for " + std::string(reading.program->id) + " says what that loses)\n";
+           "    do: fca-io check " + shell_word(file) + " --for " + std::string(reading.program->id) +
+           " (the command that converts it, and what it loses)\n";
   }
   for (const ProgramReading::Mode& mode : reading.modes) {
     const std::string who = mode.names.empty() ? "" : "as " + enumerated(mode.names) + ": ";

@@ -47,8 +47,10 @@ Message nearest_layout(const std::string& camera_model, const std::string& disto
   const std::vector<std::string> cameras =
       text::nearest(camera_model.substr(0, cut), names([](const Layout& each) { return each.camera_model; }, {}));
   if (cameras.empty()) return {};
-  const std::vector<std::string> distortions =
-      text::nearest(distortion, names([](const Layout& each) { return each.distortion_model; }, cameras.front()));
+  const std::vector<std::string> of_camera = names([](const Layout& each) { return each.distortion_model; }, cameras.front());
+  const bool is_stated = std::ranges::find(of_camera, distortion_model) != of_camera.end();
+  if (cut != std::string::npos && is_stated) return Message{Code::kCamchainNearNames, {cameras}};
+  const std::vector<std::string> distortions = text::nearest(distortion, of_camera);
   if (distortions.empty()) return cameras.front() == camera_model ? Message() : Message{Code::kCamchainNearNames, {cameras}};
   return {Code::kCamchainNearPair, {cameras.front(), distortions.front()}};
 }

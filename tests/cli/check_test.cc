@@ -182,7 +182,7 @@ TEST(Check, FixShowsAndWritesOnlyWhenAsked) {
   text = with_replaced(text, "1.76187114e-05", "2e-05");
   const std::string path = folder.write("chain.yaml", text);
   const RunResult shown = run_program({"check", "--fix", path});
-  EXPECT_EQ(shown.code, 0) << shown.out;
+  EXPECT_EQ(shown.code, 1) << shown.out;
   EXPECT_EQ(read_file(path), text);
   EXPECT_TRUE(contains(shown.out, "- %YAML:1.0\n+ %YAML 1.2\n+ ---\n")) << shown.out;
   EXPECT_TRUE(contains(shown.out, "+   intrinsics: [458.0, 457.0, 367.215, 248.375]\n")) << shown.out;

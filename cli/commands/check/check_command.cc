@@ -24,7 +24,7 @@ ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& con
   console.say(source.name + ": " + (arguments.write ? "fixed" : "would be fixed (--write does it)") + "\n" +
               line_diff(source.bytes, better->bytes));
   source = *better;
-  if (!arguments.write) return ExitCode::kGood;
+  if (!arguments.write) return ExitCode::kJudgedBad;  // as the file is
   const OutputFile output{source.name, source.bytes};
   remove_leftovers(std::filesystem::path(source.name).parent_path().string());
   const std::optional<Message> problem = put_files(std::span(&output, 1), true, console);

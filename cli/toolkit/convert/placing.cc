@@ -66,7 +66,8 @@ bool has_room(const ConvertRequest& request, ConvertResult& result) {
     // An OpenCV file of camera_calibration's keys is for one, though there are others for several cameras.
     const Message one = result.to->many_cameras ? Message{Code::kOfHeadlineOne, {result.headline}}
                                                 : Message{Code::kHoldsOne, {result.to->title}};
-    result.diagnostics.add(Code::kOneCameraPerFile, {one, with_cameras, extension_of(result.files.front(), *result.to)});
+    result.diagnostics.add(Code::kOneCameraPerFile, {one, with_cameras, extension_of(result.files.front(), *result.to)},
+                           {request.inputs.files.front(), 0, 0});
   } else if (const ConvertedFile* part = given_part_without_room(request, result)) {
     result.diagnostics.add(Code::kPartHasNoRoom, {result.to->title, part->name});
   } else {

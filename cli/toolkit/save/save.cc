@@ -13,7 +13,7 @@ std::string name_in_folder(const ConvertedFile& file) {
   return file.place.empty() ? std::filesystem::path(file.name).filename().string() : file.place;
 }
 
-bool save(const ConvertResult& result, const std::string& folder, Diagnostics& diagnostics) {
+bool save(const ConvertResult& result, const std::string& folder, Diagnostics& diagnostics, bool replaces) {
   if (result.status != Status::kDone) {
     diagnostics.add(Code::kNothingToSave);
     return false;
@@ -26,7 +26,7 @@ bool save(const ConvertResult& result, const std::string& folder, Diagnostics& d
     fs::create_directories(path.parent_path(), error);
     files.push_back({path.string(), file.bytes});
   }
-  const std::optional<Message> problem = write_files(files, true, false);
+  const std::optional<Message> problem = write_files(files, replaces, false);
   if (problem) diagnostics.add(problem->code, problem->arguments);
   return !problem;
 }

@@ -11,7 +11,9 @@ namespace fca {
 [[nodiscard]] std::string name_in_folder(const ConvertedFile& file);
 
 /// Writes the files of a result that is kDone into a folder, which is made if it is not there, under their names. A file is
-/// whole or not there; an existing one is replaced. False with an error where that fails, or the result is another.
-[[nodiscard]] bool save(const ConvertResult& result, const std::string& folder, Diagnostics& diagnostics);
+/// whole or not there. False with an error where that fails, the result is another, or one of the files exists and may not be
+/// replaced: then none is written.
+[[nodiscard]] bool save(const ConvertResult& result, const std::string& folder, Diagnostics& diagnostics,
+                        bool replaces = false);
 
 }  // namespace fca
