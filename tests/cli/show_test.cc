@@ -159,7 +159,7 @@ TEST(Show, ForAProgramOfItsFormat) {
 TEST(Show, ForAProgramOfAnotherFormat) {
   const RunResult run = run_program({"show", kTumvi, "--for", "orbslam3"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "fca-io convert " + kTumvi + " --to orbslam3")) << run.out;
+  EXPECT_TRUE(contains(run.out, "fca-io check " + kTumvi + " --for orbslam3")) << run.out;
 }
 
 TEST(Show, ForWantsAProgramAndAFileAsItStands) {
