@@ -49,7 +49,7 @@ Message nearest_layout(const std::string& camera_model, const std::string& disto
   if (cameras.empty()) return {};
   const std::vector<std::string> of_camera = names([](const Layout& each) { return each.distortion_model; }, cameras.front());
   const bool is_stated = std::ranges::find(of_camera, distortion_model) != of_camera.end();
-  if (cut != std::string::npos && is_stated) return Message{Code::kCamchainNearNames, {cameras}};
+  if (cut != std::string::npos && is_stated && distortion_model != "none") return Message{Code::kCamchainNearNames, {cameras}};
   const std::vector<std::string> distortions = text::nearest(distortion, of_camera);
   if (distortions.empty()) return cameras.front() == camera_model ? Message() : Message{Code::kCamchainNearNames, {cameras}};
   return {Code::kCamchainNearPair, {cameras.front(), distortions.front()}};
