@@ -374,37 +374,6 @@ Message worded(const Contradiction& contradiction, const Rig& rig, std::vector<M
            std::move(decided)}};
 }
 
-/// Which of two statements of a pose the written files have; nothing where they have neither, or nothing is written.
-Message as_written(const Contradiction& contradiction, const Rig& rig, std::span<const PoseEdge> poses) {
-  const PoseLoop& loop = contradiction.loop;
-  const PoseEdge& stated = rig.poses[loop.edge];
-  Rig written;
-  written.poses.assign(poses.begin(), poses.end());
-  const auto names_of_path = [&rig, &loop](auto&& is_among) {
-    std::vector<std::string> names;
-    for (const std::size_t other : loop.path) {
-      if (is_among(rig.poses[other])) names.push_back(name_of(rig.poses[other]));
-    }
-    return names;
-  };
-  const std::optional<Transform> T = written.resolve(stated.a, stated.b);
-  if (!T) {
-    const std::vector<std::string> stated_ones = names_of_path([&written](const PoseEdge& other) {
-      const std::optional<Transform> there = written.resolve(other.a, other.b);
-      return there && !difference_of(*there, other.T_a_b).contradicts();
-    });
-    return stated_ones.empty() ? Message{} : Message{Code::kPoseWrittenAsStated, {stated_ones}};
-  }
-  std::erase_if(written.poses, [&stated](const PoseEdge& other) {
-    return (other.a == stated.a && other.b == stated.b) || (other.a == stated.b && other.b == stated.a);
-  });
-  const std::optional<Transform> by_others = written.resolve(stated.a, stated.b);
-  if (by_others && difference_of(*T, *by_others).contradicts()) return {Code::kPosesWrittenBoth};
-  if (!difference_of(*T, stated.T_a_b).contradicts())
-    return {Code::kPoseWrittenAsStated, {std::vector<std::string>{name_of(stated)}}};
-  return {Code::kPoseWrittenAsDerived, {name_of(stated), names_of_path([](const PoseEdge& /*other*/) { return true; })}};
-}
-
 /// A pose that was left out counts as decided; all others by how grave they are.
 void add_contradictions(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   if (facts.rig == nullptr || !states_poses(facts)) return;
@@ -417,7 +386,7 @@ void add_contradictions(const VerdictFacts& facts, std::vector<Reason>& reasons)
   for (const Contradiction& each : contradictions(*facts.rig)) {
     const Message mistake = {each.mistake, {name_of(facts.rig->poses[each.loop.edge])}};
     if (each.blame != Blame::kNone && is_of_unwritten_pose({.facts = mistake}, facts)) continue;
-    Message addition = as_written(each, *facts.rig, facts.written_poses);
+    Message addition = written_statement(each, facts);
     // The wrong statement is not the one that the files have.
     const bool is_avoided = each.blame != Blame::kNone && addition.code == Code::kPoseWrittenAsDerived;
     reasons.push_back({.word = is_avoided ? VerdictWord::kUseWithCare : word_of(each.severity),

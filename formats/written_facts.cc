@@ -61,4 +61,31 @@ bool is_of_unwritten_pose(const Finding& finding, const VerdictFacts& facts) {
          std::ranges::none_of(facts.rig->poses, [&facts](const PoseEdge& edge) { return is_written(edge, facts); });
 }
 
+Message written_statement(const Contradiction& contradiction, const VerdictFacts& facts) {
+  const std::vector<PoseEdge>& poses = facts.rig->poses;
+  const PoseEdge& stated = poses[contradiction.loop.edge];
+  Rig written;
+  written.poses.assign(facts.written_poses.begin(), facts.written_poses.end());
+  const auto is_written_as_stated = [&written](const PoseEdge& edge) {
+    const std::optional<Transform> T = written.resolve(edge.a, edge.b);
+    return T && !difference_of(*T, edge.T_a_b).contradicts();
+  };
+  std::vector<std::string> others;
+  std::vector<std::string> others_as_stated;
+  for (const std::size_t other : contradiction.loop.path) {
+    others.push_back(name_of(poses[other]));
+    if (is_written_as_stated(poses[other])) others_as_stated.push_back(others.back());
+  }
+  const std::optional<Transform> T = written.resolve(stated.a, stated.b);
+  if (!T) return others_as_stated.empty() ? Message{} : Message{Code::kPoseWrittenAsStated, {others_as_stated}};
+  const bool is_as_stated = is_written_as_stated(stated);
+  std::erase_if(written.poses, [&stated](const PoseEdge& edge) {
+    return (edge.a == stated.a && edge.b == stated.b) || (edge.a == stated.b && edge.b == stated.a);
+  });
+  const std::optional<Transform> by_others = written.resolve(stated.a, stated.b);
+  if (by_others && difference_of(*T, *by_others).contradicts()) return {Code::kPosesWrittenBoth};
+  if (is_as_stated) return {Code::kPoseWrittenAsStated, {std::vector<std::string>{name_of(stated)}}};
+  return {Code::kPoseWrittenAsDerived, {name_of(stated), others}};
+}
+
 }  // namespace fca

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fca/formats/verdict.h>
+#include <fca/rig/contradictions.h>
 
 #include <string>
 
@@ -16,5 +17,8 @@ namespace fca {
 
 /// Is the finding about a pose that no written file states, by its name, or about poses where none is stated?
 [[nodiscard]] bool is_of_unwritten_pose(const Finding& finding, const VerdictFacts& facts);
+
+/// Which of two statements of a pose the written files have, a clause; none where they have neither, or nothing is written.
+[[nodiscard]] Message written_statement(const Contradiction& contradiction, const VerdictFacts& facts);
 
 }  // namespace fca

@@ -1,24 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compact_json.h"
 
+#include <rapidjson/reader.h>
+#include <rapidjson/stringbuffer.h>
+#include <rapidjson/writer.h>
+
 namespace fca::cli {
 
-std::string compact(const std::string& document) {
-  std::string line;
-  line.reserve(document.size());
-  bool in_text = false;
-  for (std::size_t i = 0; i < document.size(); ++i) {
-    const char c = document[i];
-    if (c == '"') in_text = !in_text;
-    if (in_text && c == '\\') {  // a quote behind it ends no text
-      line += c;
-      ++i;
-    } else if (!in_text && (c == ' ' || c == '\n')) {
-      continue;
-    }
-    line += document[i];
+namespace {
+
+/// Numbers keep their digits. (RapidJSON's own writer puts such numbers into quotes.)
+class LineWriter : public rapidjson::Writer<rapidjson::StringBuffer> {
+ public:
+  using Writer::Writer;
+  // As rapidjson::Reader calls it.
+  bool RawNumber(const char* digits, rapidjson::SizeType size, bool /*copy*/) {  // NOLINT(readability-identifier-naming)
+    return RawValue(digits, size, rapidjson::kNumberType);
   }
-  return line;
+};
+
+}  // namespace
+
+std::string compact(const std::string& document) {
+  rapidjson::StringBuffer line;
+  LineWriter writer(line);
+  rapidjson::StringStream stream(document.c_str());
+  rapidjson::Reader reader;
+  reader.Parse<rapidjson::kParseNumbersAsStringsFlag>(stream, writer);
+  return {line.GetString(), line.GetSize()};
 }
 
 }  // namespace fca::cli

@@ -20,6 +20,11 @@ class PackedWriter {
     bytes_ += text;
   }
 
+  template <class... Values>
+  void pass(const Values&... values) {
+    (put(values), ...);
+  }
+
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
   void clear() { bytes_.clear(); }
 
@@ -43,6 +48,11 @@ class PackedReader {
     text = bytes_.substr(0, size);
     bytes_.remove_prefix(size);
   }
+  template <class... Values>
+  void pass(Values&... values) {
+    (get(values), ...);
+  }
+
   [[nodiscard]] bool is_at_end() const { return bytes_.empty(); }
 
  private:

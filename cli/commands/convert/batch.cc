@@ -50,7 +50,7 @@ std::string spool_folder(const ConvertArguments& arguments) {
 
 }  // namespace
 
-bool is_told_in_full(std::size_t inputs) {
+bool is_reported_in_full(std::size_t inputs) {
   constexpr std::size_t kMost = 8;
   return inputs <= kMost;
 }
@@ -86,12 +86,12 @@ Batch::Group Batch::group(std::size_t index) const {
   return group;
 }
 
-void Batch::convert(const HeldInterrupt& interrupt, const Tell& at_once) {
-  const bool is_watched = at_once && console_.streams().out.is_terminal();  // what is told shows how far it is
+void Batch::convert(const HeldInterrupt& interrupt, const OnFinished& on_finished) {
+  const bool is_watched = on_finished && console_.streams().out.is_terminal();  // the reports show how far it is
   Progress progress(entries_.size(), console_.streams().err);
   parallel_for(entries_.size(), arguments_.request.jobs, [&](std::size_t i) {
     if (interrupt.asked()) return;
-    convert_one(i, at_once);
+    convert_one(i, on_finished);
     if (!is_watched) progress.step();
   });
   for (auto& [index, whole] : whole_) {
@@ -99,7 +99,7 @@ void Batch::convert(const HeldInterrupt& interrupt, const Tell& at_once) {
   }
 }
 
-void Batch::convert_one(std::size_t index, const Tell& at_once) {
+void Batch::convert_one(std::size_t index, const OnFinished& on_finished) {
   const Group group = this->group(index);
   ConvertArguments arguments = each_;
   arguments.request.inputs.files = group.files;
@@ -114,19 +114,19 @@ void Batch::convert_one(std::size_t index, const Tell& at_once) {
     const std::scoped_lock lock(mutex_);
     ++skipped_;
     entries_[index].state = State::kSkipped;
-    return tell_on(at_once);
+    return report_finished(on_finished);
   }
-  const Finished told = finished(outcome, arguments_, files.sources(), console_);
+  const Finished result = finished(outcome, arguments_, files.sources(), console_);
   const std::scoped_lock lock(mutex_);
   note(index, outcome);
   if (is_in_full() && !arguments_.json) whole_.emplace(index, Whole{std::move(outcome), files.sources()});
-  if (at_once && index == next_) {
-    at_once(told);
-    entries_[index].state = State::kTold;
+  if (on_finished && index == next_) {
+    on_finished(result);
+    entries_[index].state = State::kReported;
   } else {
-    entries_[index] = {spool_.put(packed(told)), State::kKept};
+    entries_[index] = {spool_.put(packed(result)), State::kKept};
   }
-  tell_on(at_once);
+  report_finished(on_finished);
 }
 
 void Batch::note(std::size_t index, const ConvertOutcome& outcome) {
@@ -150,10 +150,10 @@ void Batch::note(std::size_t index, const ConvertOutcome& outcome) {
   }
 }
 
-void Batch::tell_on(const Tell& at_once) {
-  for (; at_once && next_ < entries_.size() && entries_[next_].state != State::kLeft; ++next_) {
+void Batch::report_finished(const OnFinished& on_finished) {
+  for (; on_finished && next_ < entries_.size() && entries_[next_].state != State::kLeft; ++next_) {
     if (entries_[next_].state != State::kKept) continue;
-    at_once(unpacked(spool_.take(entries_[next_].piece)));
+    on_finished(unpacked(spool_.take(entries_[next_].piece)));
   }
 }
 
@@ -188,7 +188,7 @@ bool Batch::collide() {
   return false;
 }
 
-/// How outputs that have one path are told apart: by what their inputs' names have of their own.
+/// A pattern that gives each output a path of its own, from the parts of the inputs' names that differ.
 std::string Batch::how_to_part() const {
   for (const std::string_view names : {"{stem}", "{stem}.{extension}", "{folder}.{stem}", "{folder}.{stem}.{extension}"}) {
     std::set<std::string> paths;

@@ -22,19 +22,19 @@
 namespace fca::cli {
 
 /// Few inputs have their reports; many have a line each in the table, and --json has everything.
-[[nodiscard]] bool is_told_in_full(std::size_t inputs);
+[[nodiscard]] bool is_reported_in_full(std::size_t inputs);
 
 class Batch {
  public:
-  using Tell = std::function<void(const Finished& finished)>;
+  using OnFinished = std::function<void(const Finished& finished)>;
 
   /// All but `console` are to live as long as the batch.
   Batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments, const TypedOptions& typed, const Files& known,
         Console& console);
 
-  /// Converts every input (with --join: all as one), arguments.jobs at the same time, until the interrupt. With `at_once` each
-  /// is told, and not kept, as soon as all before it are.
-  void convert(const HeldInterrupt& interrupt, const Tell& at_once);
+  /// Converts every input (with --join: all as one), arguments.jobs at the same time, until the interrupt. With `on_finished`
+  /// each is reported, and not kept, as soon as all before it are.
+  void convert(const HeldInterrupt& interrupt, const OnFinished& on_finished);
 
   /// Inputs with a result, good or bad.
   [[nodiscard]] std::size_t converted() const { return converted_; }
@@ -42,7 +42,7 @@ class Batch {
   [[nodiscard]] std::size_t skipped() const { return skipped_; }
   /// Not tried: Ctrl-C.
   [[nodiscard]] std::size_t left() const { return entries_.size() - converted_ - skipped_; }
-  [[nodiscard]] bool is_in_full() const { return is_told_in_full(entries_.size()); }
+  [[nodiscard]] bool is_in_full() const { return is_reported_in_full(entries_.size()); }
 
   /// The next ones that were converted, in the order of the inputs, each once: one more while they have fewer than that many
   /// files. None: all are taken.
@@ -60,7 +60,7 @@ class Batch {
  private:
   /// Inputs that are converted together.
   struct Group;
-  enum class State : std::uint8_t { kLeft, kSkipped, kKept, kTold };
+  enum class State : std::uint8_t { kLeft, kSkipped, kKept, kReported };
   struct Entry {
     Spool::Piece piece;
     State state = State::kLeft;
@@ -71,10 +71,10 @@ class Batch {
   };
 
   [[nodiscard]] Group group(std::size_t index) const;
-  void convert_one(std::size_t index, const Tell& at_once);
+  void convert_one(std::size_t index, const OnFinished& on_finished);
   void note(std::size_t index, const ConvertOutcome& outcome);
   /// Those that are next, as far as they are converted.
-  void tell_on(const Tell& at_once);
+  void report_finished(const OnFinished& on_finished);
   [[nodiscard]] std::string how_to_part() const;
 
   const std::vector<FoundFile>& inputs_;
@@ -89,7 +89,7 @@ class Batch {
   std::vector<Entry> entries_;
   std::map<std::size_t, Whole> whole_;  ///< Of a few inputs, for their reports.
   OutputNames names_;
-  std::size_t next_ = 0;  ///< To be taken or told.
+  std::size_t next_ = 0;  ///< To be taken or reported.
   std::size_t converted_ = 0;
   std::size_t skipped_ = 0;
   std::size_t first_ = std::numeric_limits<std::size_t>::max();  ///< That was converted.

@@ -26,13 +26,13 @@ Diagnostics without_errors(const Diagnostics& diagnostics) {
 BatchReport::BatchReport(Batch& batch, const ConvertArguments& arguments, const Console& console)
     : batch_(batch), arguments_(arguments), console_(console), table_(batch.spool()) {}
 
-void BatchReport::tell(const Finished& finished, bool is_reached) {
+void BatchReport::add(const Finished& finished, bool is_reached) {
   if (arguments_.json_lines) {
     if (is_reached) console_.out(conversion_line(finished.json));
   } else if (arguments_.json) {
     console_.out(json_.next(finished.json, batch_.converted()));
   } else if (is_reached) {
-    tell_in_text(finished);
+    print(finished);
   }
   TableRow row = finished.row;
   if (!is_reached) row.result = "not written";
@@ -47,7 +47,7 @@ void BatchReport::tell(const Finished& finished, bool is_reached) {
   if (!is_reached) ++not_reached_;
 }
 
-void BatchReport::tell_in_text(const Finished& finished) const {
+void BatchReport::print(const Finished& finished) const {
   const bool is_written = !arguments_.dry_run;
   // That a file is not to be used is an error, also for those who want to see errors only.
   const bool is_wanted = !arguments_.quiet || finished.code != ExitCode::kGood;

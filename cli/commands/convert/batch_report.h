@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What came of a batch, told input by input: reports or JSON at once, one line for each at the end.
+// The reports of a batch: text or JSON input by input, one line for each at the end.
 #pragma once
 
 #include "batch.h"
@@ -17,7 +17,7 @@ class BatchReport {
   BatchReport(Batch& batch, const ConvertArguments& arguments, const Console& console);
 
   /// The next one. `is_reached`: its files are in their places, as far as there are any; false: Ctrl-C.
-  void tell(const Finished& finished, bool is_reached);
+  void add(const Finished& finished, bool is_reached);
   /// Behind the last one.
   void end();
 
@@ -25,7 +25,7 @@ class BatchReport {
   [[nodiscard]] ExitCode code() const { return code_; }
 
  private:
-  void tell_in_text(const Finished& finished) const;
+  void print(const Finished& finished) const;
   void warn_of_unused() const;
   [[nodiscard]] std::string last_line() const;
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kGap = 2;
 constexpr std::size_t kWidest = 60;  // longer names push their line to the right
 
-/// What other cells stand behind.
+/// The columns before the result.
 constexpr std::array kColumns = {&TableRow::input, &TableRow::models, &TableRow::rms_px, &TableRow::max_px};
 
 /// A longer text than its column is wide has its gap, too.
@@ -56,7 +56,8 @@ void BatchTable::print(const std::function<void(std::string_view)>& out) {
     PackedReader rows(bytes);
     while (!rows.is_at_end()) {
       TableRow row;
-      for (std::string* text : {&row.input, &row.models, &row.rms_px, &row.max_px, &row.result}) rows.get(*text);
+      for (const auto column : kColumns) rows.get(row.*column);
+      rows.get(row.result);
       out(line(row, widths_));
     }
   }

@@ -52,14 +52,14 @@ ConvertArguments into_cameras(ConvertArguments arguments) {
   return arguments;
 }
 
-/// Need no file be put into its place, and no input be compared with the others? Then what was converted is told at once.
-bool is_told_at_once(const ConvertArguments& arguments) {
+/// Need no file be put into its place, and no input be compared with the others? Then each result is reported immediately.
+bool is_reported_immediately(const ConvertArguments& arguments) {
   return arguments.json_lines && !arguments.output.is_said() && !arguments.in_place && !arguments.request.inputs.opencv_model;
 }
 
-/// Puts what was converted into its places, and tells it, until the interrupt.
-void write_and_tell(Batch& batch, const ConvertArguments& arguments, const HeldInterrupt& interrupt, BatchReport& report,
-                    const Console& console) {
+/// Puts what was converted into its places, and reports it, until the interrupt.
+void write_and_report(Batch& batch, const ConvertArguments& arguments, const HeldInterrupt& interrupt, BatchReport& report,
+                      const Console& console) {
   OutputWriter writer(arguments, console);
   bool is_reached = true;
   for (;;) {
@@ -67,7 +67,7 @@ void write_and_tell(Batch& batch, const ConvertArguments& arguments, const HeldI
     std::vector<Finished> next = batch.take(kFilesAtOnce);
     if (next.empty()) return;
     if (is_reached && !arguments.dry_run) writer.write(next);
-    for (const Finished& finished : next) report.tell(finished, is_reached);
+    for (const Finished& finished : next) report.add(finished, is_reached);
   }
 }
 
@@ -83,15 +83,16 @@ ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, C
   const HeldInterrupt interrupt(files.size() > 1 && std::ranges::all_of(files, is_at_hand), console);
   Batch batch(files, arguments, typed, read_apart, console);
   BatchReport report(batch, arguments, console);
-  const bool at_once = is_told_at_once(arguments);
-  batch.convert(interrupt, at_once ? [&report](const Finished& finished) { report.tell(finished, true); } : Batch::Tell());
+  const bool is_immediate = is_reported_immediately(arguments);
+  batch.convert(interrupt,
+                is_immediate ? [&report](const Finished& finished) { report.add(finished, true); } : Batch::OnFinished());
   if (batch.converted() == 0 && batch.left() == 0) {
     return console.refuse(ExitCode::kBadInput, "no calibration with a camera in " + enumerated(arguments.inputs) + " (" +
                                                    counted(batch.skipped(), "file") + " looked at)");
   }
   if (const std::optional<std::string> error = batch.opencv_model_problem()) return console.refuse(ExitCode::kUsage, *error);
   if (batch.collide()) return ExitCode::kUsage;
-  write_and_tell(batch, arguments, interrupt, report, console);
+  write_and_report(batch, arguments, interrupt, report, console);
   report.end();
   return report.code();
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 
 namespace fca::cli {
 
@@ -47,6 +48,17 @@ std::string result(const ConvertOutcome& outcome) {
     return is_rejected ? std::string(in_words(VerdictWord::kDoNotUse)) + ": " + id_of(entry) : error_in_words(id_of(entry));
   }
   return std::string(in_words(outcome.verdict.word));
+}
+
+/// Puts them into the bytes, or gets them from there, in one order.
+template <class Bytes, class Values>
+void pass_fields(Bytes& bytes, Values& finished) {
+  std::uint64_t files = finished.files.size();
+  bytes.pass(finished.input, finished.code, finished.is_judged, finished.word, finished.has_error, finished.errors,
+             finished.json, files);
+  bytes.pass(finished.row.models, finished.row.rms_px, finished.row.max_px, finished.row.result);
+  if constexpr (!std::is_const_v<Values>) finished.files.resize(files);
+  for (auto& file : finished.files) bytes.pass(file.path, file.bytes);
 }
 
 }  // namespace
@@ -96,41 +108,15 @@ void Finished::fail(const Message& problem, const Console& console) {
 
 std::string packed(const Finished& finished) {
   PackedWriter writer;
-  writer.put(finished.input);
-  writer.put(finished.code);
-  writer.put(finished.is_judged);
-  writer.put(finished.word);
-  writer.put(finished.has_error);
-  writer.put(static_cast<std::uint64_t>(finished.files.size()));
-  for (const OutputFile& file : finished.files) {
-    writer.put(file.path);
-    writer.put(file.bytes);
-  }
-  for (const std::string* text : {&finished.row.models, &finished.row.rms_px, &finished.row.max_px, &finished.row.result,
-                                  &finished.errors, &finished.json})
-    writer.put(*text);
+  pass_fields(writer, finished);
   return writer.bytes();
 }
 
 Finished unpacked(std::string_view bytes) {
   PackedReader reader(bytes);
   Finished finished;
-  reader.get(finished.input);
-  reader.get(finished.code);
-  reader.get(finished.is_judged);
-  reader.get(finished.word);
-  reader.get(finished.has_error);
-  std::uint64_t count = 0;
-  reader.get(count);
-  finished.files.resize(count);
-  for (OutputFile& file : finished.files) {
-    reader.get(file.path);
-    reader.get(file.bytes);
-  }
+  pass_fields(reader, finished);
   finished.row.input = finished.input;
-  for (std::string* text : {&finished.row.models, &finished.row.rms_px, &finished.row.max_px, &finished.row.result,
-                            &finished.errors, &finished.json})
-    reader.get(*text);
   return finished;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An input that was converted: what is left to be done with it, and to be told of it.
+// An input that was converted: what is left to be written and to be reported.
 #pragma once
 
 #include "batch_table.h"
@@ -27,7 +27,7 @@ struct Finished {
   std::string json;                     ///< Its object; empty: not asked for.
   std::optional<ConvertOutcome> whole;  ///< For a report. It is not packed.
 
-  /// Has a result that can be told?
+  /// Has it a result to report?
   [[nodiscard]] bool has_result() const { return is_judged && code != ExitCode::kIo; }
   /// It could not be written.
   void fail(const Message& problem, const Console& console);

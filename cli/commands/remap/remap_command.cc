@@ -71,11 +71,11 @@ std::string images_text(const RemapArguments& arguments, const Remapping& done) 
   for (const RemappedImage& image : done.images) {
     if (!is_written(image)) continue;
     ++written;
-    if (!arguments.output.is_standard_output() && is_told_in_full(done.images.size()))
+    if (!arguments.output.is_standard_output() && is_reported_in_full(done.images.size()))
       text += "wrote " + fca::text::printable(image.output) + "\n";
   }
   const bool interrupted = std::ranges::any_of(done.images, &RemappedImage::left);
-  if (!is_told_in_full(done.images.size()) || interrupted) {
+  if (!is_reported_in_full(done.images.size()) || interrupted) {
     text += std::string(interrupted ? "interrupted: " : "") + std::to_string(written) + " of " +
             std::to_string(done.images.size()) + " images written\n";
   }

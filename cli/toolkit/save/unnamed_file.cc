@@ -13,7 +13,8 @@ Descriptor unnamed_file_in(const std::string& folder) {
   Descriptor file(::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMine));
   if (file.get() >= 0) return file;
   // Not every file system knows files without names.
-  std::string name = (std::filesystem::path(folder) / (std::string(kTemporaryFile) + "XXXXXX")).string();
+  constexpr const char* kDigits = "XXXXXX";  // mkostemp() puts others there
+  std::string name = (std::filesystem::path(folder) / (std::string(kTemporaryFile) + kDigits)).string();
   file = Descriptor(::mkostemp(name.data(), O_CLOEXEC));
   if (file.get() >= 0) ::unlink(name.c_str());
   return file;
