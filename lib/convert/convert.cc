@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/convert/convert.h>
 
-#include "degree.h"
+#include "evaluation/stages.h"
 #include "exact.h"
-#include "fit_domain.h"
-#include "judge_stages.h"
-#include "minimax.h"
+#include "fitting/degree.h"
+#include "fitting/fit_domain.h"
+#include "fitting/minimax.h"
 
 #include <fca/code.h>
 #include <fca/convert/domain.h>

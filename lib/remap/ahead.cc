@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ahead.h"
 
-#include "../convert/multiversioned.h"
-#include "../convert/with_kernel.h"
+#include "../convert/kernels/multiversioned.h"
+#include "../convert/kernels/with_kernel.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 // the domain, which a conversion asks for once, and the judge.
 #include "lib/convert/known_cameras.h"
 
-#include <convert/edge_samples.h>
-#include <convert/fit_model.h>
+#include <convert/fitting/fit_model.h>
+#include <convert/sampling/edge_samples.h>
 #include <fca/convert/domain.h>
 #include <fca/convert/sample.h>
 

@@ -3,8 +3,8 @@
 // are fits, as those of a conversion are.
 #include "lib/convert/known_cameras.h"
 
-#include <convert/bound.h>
-#include <convert/judge_stages.h>
+#include <convert/bound/bound.h>
+#include <convert/evaluation/stages.h>
 #include <fca/convert/convert.h>
 #include <fca/convert/domain.h>
 #include <fca/convert/judge.h>

@@ -5,8 +5,8 @@
 #include <fca/convert/domain.h>
 #include <fca/convert/sample.h>
 
-#include <convert/batch.h>
-#include <convert/fit_model.h>
+#include <convert/fitting/fit_model.h>
+#include <convert/kernels/batch.h>
 
 #include <benchmark/benchmark.h>
 

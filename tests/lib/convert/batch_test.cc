@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Many pixels at a time must say what the models say of each: to 1e-12, whichever SIMD version the processor runs.
-#include "convert/batch.h"
-#include "convert/judge_scorer.h"
+#include "convert/kernels/batch.h"
+#include "convert/evaluation/scorer.h"
 #include "known_cameras.h"
 #include "random_model.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bound of an error must never be below an error that occurs, and is worth something only if it is close to the largest.
-#include "convert/bound.h"
+#include "convert/bound/bound.h"
 #include "known_cameras.h"
 #include "random_model.h"
 

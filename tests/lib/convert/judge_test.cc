@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "known_cameras.h"
 
-#include <convert/judge_lattice.h>
+#include <convert/evaluation/lattice.h>
 #include <fca/convert/convert.h>
 #include <fca/convert/judge.h>
 

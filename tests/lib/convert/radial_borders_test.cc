@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a line crosses the pixels of an angle from the axis: found in closed form, and as the model itself says.
-#include "convert/radial_borders.h"
+#include "convert/evaluation/radial_borders.h"
 #include "known_cameras.h"
 #include "random_model.h"
 

@@ -4,10 +4,10 @@
 #include "known_cameras.h"
 #include "sanitized.h"
 
-#include <convert/fit_model.h>
-#include <convert/fitter.h>
-#include <convert/jet_target.h>
-#include <convert/judge_stages.h>
+#include <convert/evaluation/stages.h>
+#include <convert/fitting/fit_model.h>
+#include <convert/fitting/fitter.h>
+#include <convert/fitting/jet_target.h>
 #include <fca/convert/convert.h>
 #include <fca/convert/domain.h>
 #include <fca/convert/sample.h>

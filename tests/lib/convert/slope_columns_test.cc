@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fits must not depend on the processor: what it makes of many samples at a time is, to the last bit, what this test, compiled
 // for any processor, makes of each.
-#include "convert/slope_columns.h"
+#include "convert/fitting/slope_columns.h"
 #include "random_model.h"
 
 #include <fca/models/camera_model.h>

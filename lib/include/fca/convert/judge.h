@@ -26,7 +26,7 @@ template <CameraModelType M>
 struct JudgeOptions {
   bool every_pixel = false;  ///< Score each pixel of the image instead of a lattice, and count them.
   /// Prove ErrorSummary::bound. Both must be models of the list: a proof encloses a model over whole ranges of rays with every
-  /// rounding counted, for which the listed ones are written a second time, in ball arithmetic (lib/convert/bound_polar.h). A
+  /// rounding counted, for which the listed ones are written a second time, in ball arithmetic (lib/convert/bound/polar.h). A
   /// function can only be asked at points, and M::formula promises no more than to work on doubles: from either one gets a
   /// largest error that was seen (polished, like that of listed models), or a slope that was seen, but nothing that holds
   /// between. The bound is then infinite.

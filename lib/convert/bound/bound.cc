@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bound.h"
+
+#include "field.h"
+#include "polar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace fca::internal {
+
+namespace {
+
+/// A bound is good enough at this multiple of an error that was seen, or this many px above it.
+constexpr double kGoodEnough = 1.01;
+constexpr double kNegligible = 2e-10;
+/// What a strip's remainder may be of the seen error, and in px.
+constexpr double kRemainderShare = 0.005;
+constexpr double kNegligibleRemainder = 5e-11;
+
+using Vector = std::array<double, 2>;
+
+/// Of what is far from overflow, or infinite. Shorter by rounding than the widenings below allow for.
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
+/// Angles around a centre on which both models are polynomials.
+template <std::size_t N>
+struct Strip {
+  double centre = 0.0;
+  double half = 0.0;
+  Field<N> source;
+  Field<N> error;               ///< target - source
+  double series_rest_px = 0.0;  ///< The part of the error's remainder that no division makes smaller.
+  [[nodiscard]] double remainder() const { return length(error.remainder[0], error.remainder[1]); }
+  [[nodiscard]] bool finite() const {
+    return std::isfinite(remainder()) && std::isfinite(source.remainder[0]) && std::isfinite(source.remainder[1]);
+  }
+};
+
+/// A rectangle of angles, t +- dt from the strip's centre, and azimuths.
+struct Cell {
+  std::size_t strip = 0;
+  double t = 0.0;
+  double dt = 0.0;
+  double phi = 0.0;
+  double dphi = 0.0;
+  double bound = 0.0;
+  bool split_angle = false;
+};
+
+/// The harmonics and their first two derivatives at a cell's centre, and how large they become in the cell.
+template <std::size_t N>
+struct Harmonics {
+  std::array<double, N> value;
+  std::array<double, N> first;
+  std::array<double, N> value_max;
+  std::array<double, N> first_max;
+
+  Harmonics(double phi, double dphi) {
+    const double c = std::cos(phi);
+    const double s = std::sin(phi);
+    const double c2 = c * c - s * s;
+    const double s2 = 2.0 * s * c;
+    std::ranges::copy(std::array{1.0, c, s, c2, s2}, value.begin());
+    std::ranges::copy(std::array{0.0, -s, c, -4.0 * s * c, 2.0 * c2}, first.begin());
+    for (std::size_t j = kHarmonics; j < N; j += 2) {
+      const auto n = static_cast<double>(frequency_of(j));
+      value[j] = std::cos(n * phi);
+      value[j + 1] = std::sin(n * phi);
+      first[j] = -n * value[j + 1];
+      first[j + 1] = n * value[j];
+    }
+    for (std::size_t j = 0; j < N; ++j) {
+      const auto n = static_cast<double>(frequency_of(j));
+      value_max[j] = std::min(1.0, std::abs(value[j]) + n * dphi);
+      first_max[j] = std::min(n, std::abs(first[j]) + n * n * dphi);
+    }
+  }
+};
+
+/// A field around a cell's centre: value + slopes, and how far the field can be from that plane in the cell.
+struct Plane {
+  Vector value{};
+  Vector by_angle{};
+  Vector by_azimuth{};
+  Vector rest{};
+  Vector angle_rest{};  ///< The part of the rest that halving dt shrinks.
+
+  /// How fast the pixel moves with the angle, at most, in the cell.
+  [[nodiscard]] double steepest(double dt) const {
+    return length(std::abs(by_angle[0]) + 2.0 * angle_rest[0] / dt, std::abs(by_angle[1]) + 2.0 * angle_rest[1] / dt);
+  }
+};
+
+/// A field's coefficients around the centre of a range of angles, t +- dt from that of the strip: what the cells of all
+/// azimuths there have in common.
+template <std::size_t N>
+struct Radial {
+  using PerHarmonic = std::array<std::array<double, N>, 2>;
+  PerHarmonic value{};
+  PerHarmonic first{};
+  // The largest in the range:
+  PerHarmonic value_max{};
+  PerHarmonic first_max{};
+  PerHarmonic second_max{};
+
+  Radial(const Field<N>& field, double t, double dt) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t j = 0; j < N; ++j) {
+        const Polynomial& c = field.of[i][j];
+        double half_second = 0.0;
+        for (std::size_t k = field.terms[i][j]; k-- > 0;) {
+          half_second = half_second * t + first[i][j];
+          first[i][j] = first[i][j] * t + value[i][j];
+          value[i][j] = value[i][j] * t + c[k];
+        }
+        second_max[i][j] = 2.0 * std::abs(half_second) + field.third[i][j] * dt;
+        first_max[i][j] = std::abs(first[i][j]) + second_max[i][j] * dt;
+        value_max[i][j] = std::abs(value[i][j]) + first_max[i][j] * dt;
+      }
+    }
+  }
+};
+
+template <std::size_t N>
+Plane plane_of(const Field<N>& field, const Radial<N>& radial, const Cell& cell, const Harmonics<N>& harmonics) {
+  Plane plane;
+  const double dt = cell.dt;
+  const double dphi = cell.dphi;
+  for (std::size_t i = 0; i < 2; ++i) {
+    double angle_rest = 0.0;
+    double azimuth_rest = 0.0;
+    double mixed_rest = 0.0;
+    for (std::size_t j = 0; j < N; ++j) {
+      if (field.terms[i][j] == 0) continue;
+      const auto n = static_cast<double>(frequency_of(j));
+      plane.value[i] += radial.value[i][j] * harmonics.value[j];
+      plane.by_angle[i] += radial.first[i][j] * harmonics.value[j];
+      plane.by_azimuth[i] += radial.value[i][j] * harmonics.first[j];
+      angle_rest += radial.second_max[i][j] * harmonics.value_max[j];
+      mixed_rest += radial.first_max[i][j] * harmonics.first_max[j];
+      azimuth_rest += n * n * radial.value_max[i][j] * harmonics.value_max[j];
+    }
+    plane.angle_rest[i] = 0.5 * angle_rest * dt * dt;
+    plane.rest[i] = plane.angle_rest[i] + mixed_rest * dt * dphi + 0.5 * azimuth_rest * dphi * dphi + field.remainder[i];
+  }
+  return plane;
+}
+
+/// Both fields of a strip.
+template <std::size_t N>
+struct RadialPair {
+  Radial<N> source;
+  Radial<N> error;
+  RadialPair(const Strip<N>& strip, double t, double dt) : source(strip.source, t, dt), error(strip.error, t, dt) {}
+};
+
+/// The same in more harmonics.
+template <std::size_t N>
+PolarSeriesOf<N> widened(const PolarSeries& form) {
+  PolarSeriesOf<N> wide;
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::ranges::copy(form.of[i], wide.of[i].begin());
+    std::ranges::copy(form.used[i], wide.used[i].begin());
+  }
+  return wide;
+}
+
+/// Of forms with N harmonics.
+template <std::size_t N>
+class Bounder {
+  using Form = PolarSeriesOf<N>;
+  using Harmonics = internal::Harmonics<N>;
+  using Strip = internal::Strip<N>;
+  using RadialPair = internal::RadialPair<N>;
+
+ public:
+  Bounder(const CameraModel& source, const CameraModel& target, const Domain& domain, double reach, double seen, int budget)
+      : source_(source),
+        target_(target),
+        last_{domain.size.width - 1.0, domain.size.height - 1.0},
+        max_angle_(std::min(std::numbers::pi,
+                            std::min({domain.max_angle_rad, reach, max_angle(source), max_angle(target)}) + kAngleSlack)),
+        circle_(domain.circle),
+        budget_(budget) {
+    result_.seen = seen;
+    for (int i = 0; i < kAzimuths; ++i) {
+      const double phi = std::numbers::pi * (2 * i + 1) / kAzimuths;
+      first_cells_.push_back({phi, Harmonics(phi, kFirstWidth)});
+    }
+  }
+
+  ErrorBound bound() {
+    add_strips();
+    while (!hopeless_ && !cells_.empty() && !(cells_.front().bound <= good_enough()) && result_.evaluations < budget_) {
+      std::ranges::pop_heap(cells_, {}, &Cell::bound);
+      const Cell cell = cells_.back();
+      cells_.pop_back();
+      split(cell);
+    }
+    result_.bound = cells_.empty() ? done_ : std::max(done_, cells_.front().bound);
+    if (hopeless_) result_.bound = std::numeric_limits<double>::infinity();
+    return result_;
+  }
+
+ private:
+  /// max_angle() is an arc cosine for some models: its rounding near 180 degrees.
+  static constexpr double kAngleSlack = 4e-8;
+  static constexpr double kFirstStrip = 0.12;      // rad
+  static constexpr double kWidestStrip = 0.25;     // rad
+  static constexpr double kNarrowestStrip = 3e-5;  // rad
+  static constexpr int kAzimuths = 8;
+  static constexpr double kFirstWidth = std::numbers::pi / kAzimuths * (1.0 + 4.0 * kRoundOff);
+  /// unproject() may give a ray for a pixel on the border whose pixel is, by rounding, outside.
+  static constexpr double kBorderSlack = 1e-6;  // px
+  /// A ray in doubles is a little beside the one that is meant. Near a fold of ocamcalib's, where the angle hardly grows with
+  /// the radius, the same camera's pixel of it is then far from the pixel it came from: 1e-7 px.
+  static constexpr double kRayRounding = 32.0 * kRoundOff;  // rad
+
+  [[nodiscard]] double good_enough() const { return std::max(kGoodEnough * result_.seen, result_.seen + kNegligible); }
+
+  /// Strips on which both models are polynomials to what is asked, each as wide as the one before lets one expect.
+  void add_strips() {
+    double width = kFirstStrip;
+    for (double from = 0.0; from < max_angle_ && !hopeless_;) {
+      const double left = max_angle_ - from;
+      const bool spent = result_.evaluations >= budget_;
+      const double parts = spent ? 1.0 : std::ceil(left / width);
+      const double to = parts > 1.0 ? from + left / parts : max_angle_;
+      const Strip strip = make_strip(0.5 * (from + to), 0.5 * (to - from));
+      result_.evaluations += kStripCost;
+      const double fitting = fitting_share(strip);
+      width = std::clamp(fitting * (to - from), kNarrowestStrip, kWidestStrip);
+      if (fitting < 1.0 && to - from > kNarrowestStrip && !spent) continue;
+      add_cells(strip);
+      from = to;
+    }
+  }
+
+  void add_cells(const Strip& strip) {
+    strips_.push_back(strip);
+    Cell cell;
+    cell.strip = strips_.size() - 1;
+    cell.dt = strip.half;
+    cell.dphi = kFirstWidth;
+    const RadialPair radial(strip, cell.t, cell.dt);
+    for (const FirstCell& first : first_cells_) {
+      cell.phi = first.phi;
+      add(cell, radial, first.harmonics);
+    }
+  }
+  /// An evaluation of a strip takes as long as that many of cells.
+  static constexpr int kStripCost = 50;
+
+  /// How many times as wide a strip may be, about, to leave out no more than is asked: less than 1 if it is too wide. What is
+  /// left out grows like the width to the power of kOrder.
+  [[nodiscard]] double fitting_share(const Strip& strip) const {
+    // Of the same camera all that counts is how steep it is.
+    constexpr double kRough = 1e-3;  // px
+    const bool same = source_ == target_;
+    const double truncation = same ? strip.source.truncation : strip.error.truncation;
+    const double allowed = same ? kRough : std::max(kNegligibleRemainder, kRemainderShare * result_.seen);
+    constexpr double kLeast = 0.25;
+    constexpr double kMost = 2.0;
+    constexpr double kSafe = 0.9;
+    const double share = kSafe * std::pow(allowed / truncation, 1.0 / static_cast<double>(kOrder));
+    if (!(truncation <= allowed)) return share > kLeast && share < kSafe ? share : kLeast;
+    return std::clamp(share, 1.0, kMost);
+  }
+
+  [[nodiscard]] Strip make_strip(double centre, double half) const {
+    const AngleSeries at_centre = angle_series({centre, 0.0});
+    const AngleSeries over_strip = angle_series({centre, half * (1.0 + 4.0 * kRoundOff) + kUnderflow});
+    Strip strip;
+    strip.centre = centre;
+    strip.half = half;
+    const Form source_centre = form_of(source_, at_centre);
+    const Form source_strip = form_of(source_, over_strip);
+    strip.source = field_of(source_centre, source_strip, half);
+    if (source_ == target_) return strip;  // the error is 0, but for the rays' rounding
+    const Form error_strip = difference(form_of(target_, over_strip), source_strip);
+    strip.error = field_of(difference(form_of(target_, at_centre), source_centre), error_strip, half);
+    strip.series_rest_px = length(error_strip.series_rest_px[0], error_strip.series_rest_px[1]);
+    return strip;
+  }
+
+  [[nodiscard]] static Form form_of(const CameraModel& model, const AngleSeries& angle) {
+    if constexpr (N == kTiltedHarmonics) {
+      const auto* tilted = std::get_if<Intrinsics<Opencv14>>(&model);
+      if (tilted != nullptr && is_tilted(*tilted)) {
+        Form form;
+        polar_form(*tilted, angle, form);
+        return form;
+      }
+    }
+    PolarSeries form;
+    std::visit([&](const auto& m) { polar_form(m, angle, form); }, model);
+    if constexpr (N == kHarmonics) return form;
+    return widened<N>(form);
+  }
+
+  [[nodiscard]] static Form difference(const Form& a, const Form& b) {
+    Form result = a;
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t j = 0; j < N; ++j) {
+        if (b.used[i][j]) result.set(i, j, result.of[i][j] - b.of[i][j]);
+      }
+      result.series_rest_px[i] += b.series_rest_px[i];
+    }
+    return result;
+  }
+
+  void split(const Cell& cell) {
+    Cell half = cell;
+    (cell.split_angle ? half.dt : half.dphi) *= 0.5;
+    // A cell that cannot become smaller stays as it is.
+    if (!(half.dt > 1e-14) || !(half.dphi > 1e-14)) {
+      done_ = std::max(done_, cell.bound);
+      return;
+    }
+    const Strip& strip = strips_[cell.strip];
+    if (cell.split_angle) {
+      const Harmonics harmonics(cell.phi, cell.dphi);
+      for (const double side : {-1.0, 1.0}) {
+        half.t = cell.t + side * half.dt;
+        add(half, RadialPair(strip, half.t, half.dt), harmonics);
+      }
+    } else {
+      const RadialPair radial(strip, cell.t, cell.dt);
+      for (const double side : {-1.0, 1.0}) {
+        half.phi = cell.phi + side * half.dphi;
+        add(half, radial, Harmonics(half.phi, half.dphi));
+      }
+    }
+  }
+
+  /// Bounds a cell and keeps it, unless it lies outside the image, or its circle, or is good enough already.
+  void add(Cell cell, const RadialPair& radial, const Harmonics& harmonics) {
+    ++result_.evaluations;
+    const Strip& strip = strips_[cell.strip];
+    const Plane source = plane_of(strip.source, radial.source, cell, harmonics);
+    bool centre_inside = true;
+    Vector spreads{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double spread =
+          std::abs(source.by_angle[i]) * cell.dt + std::abs(source.by_azimuth[i]) * cell.dphi + source.rest[i];
+      if (source.value[i] + spread < -kBorderSlack || source.value[i] - spread > last_[i] + kBorderSlack) return;
+      centre_inside = centre_inside && source.value[i] >= 0.0 && source.value[i] <= last_[i];
+      spreads[i] = spread;
+    }
+    if (circle_) {
+      const double beyond = circle_->beyond(source.value);
+      if (beyond > length(spreads[0], spreads[1]) + kBorderSlack) return;
+      centre_inside = centre_inside && beyond <= 0.0;
+    }
+    const Plane error = plane_of(strip.error, radial.error, cell, harmonics);
+    double corner = 0.0;
+    for (const double side : {-1.0, 1.0}) {
+      double square = 0.0;
+      double other = 0.0;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const double a = error.by_angle[i] * cell.dt;
+        const double b = side * error.by_azimuth[i] * cell.dphi;
+        square += (error.value[i] + a + b) * (error.value[i] + a + b);
+        other += (error.value[i] - a - b) * (error.value[i] - a - b);
+      }
+      corner = std::max({corner, square, other});
+    }
+    const double rounding = kRayRounding * (source.steepest(cell.dt) + error.steepest(cell.dt));
+    cell.bound = (std::sqrt(corner) + length(error.rest[0], error.rest[1]) + rounding) * (1.0 + 1e-12);
+    // An infinite plane is no plane.
+    if (!std::isfinite(cell.bound)) cell.bound = std::numeric_limits<double>::infinity();
+    if (centre_inside) {
+      // Some part of every division of this cell lies in the image, and none is better known than its strip.
+      hopeless_ = hopeless_ || !strip.finite();
+      const double surely = length(error.value[0], error.value[1]) - strip.remainder();
+      if (surely > result_.seen) {
+        result_.seen = surely;
+        result_.seen_at = source.value;
+      }
+    }
+    // Nor does it help to divide what is mostly the rounding of its strip.
+    constexpr double kMostlyRemainder = 1.5;
+    if (cell.bound <= std::max(good_enough() + strip.series_rest_px, kMostlyRemainder * strip.remainder()) &&
+        std::isfinite(cell.bound)) {
+      done_ = std::max(done_, cell.bound);
+      return;
+    }
+    const double by_angle =
+        length(error.by_angle[0], error.by_angle[1]) * cell.dt + 2.0 * length(error.angle_rest[0], error.angle_rest[1]);
+    const double by_azimuth = length(error.by_azimuth[0], error.by_azimuth[1]) * cell.dphi +
+                              2.0 * length(error.rest[0] - error.angle_rest[0], error.rest[1] - error.angle_rest[1]);
+    cell.split_angle = std::isfinite(by_angle) && std::isfinite(by_azimuth) ? by_angle > by_azimuth : cell.dt > cell.dphi;
+    cells_.push_back(cell);
+    std::ranges::push_heap(cells_, {}, &Cell::bound);
+  }
+
+  const CameraModel& source_;
+  const CameraModel& target_;
+  Vector last_;
+  double max_angle_;
+  std::optional<LensCircle> circle_;
+  int budget_;
+  /// The azimuths into which every strip is cut at first.
+  struct FirstCell {
+    double phi;
+    Harmonics harmonics;
+  };
+  std::vector<FirstCell> first_cells_;
+  std::vector<Strip> strips_;
+  std::vector<Cell> cells_;  ///< A heap, the worst in front.
+  double done_ = 0.0;        ///< The largest bound of the cells that were good enough.
+  bool hopeless_ = false;    ///< A part of the image for which the target has no bound.
+  ErrorBound result_;
+};
+
+/// What doubles add: the error of unproject() and project() themselves, which is in every error that can be measured.
+double rounding_of(const CameraModel& source, const CameraModel& target, const ImageSize& size) {
+  constexpr double kRelative = 1e-13;  // radtan's inverse ends there
+  double pixels = static_cast<double>(size.width) + size.height;
+  for (const CameraModel* model : {&source, &target}) {
+    for (const double value : central_focal_lengths(*model)) pixels += std::abs(value);
+    for (const double value : principal_point(*model)) pixels += 0.5 * std::abs(value);
+  }
+  return kRelative * pixels;
+}
+
+}  // namespace
+
+ErrorBound bound_error(const CameraModel& source, const CameraModel& target, const Domain& domain, double target_reach_rad,
+                       double seen, int budget) {
+  const bool bounded = std::visit(
+      []<class S, class T>(const Intrinsics<S>&, const Intrinsics<T>&) { return HasPolarForm<S> && HasPolarForm<T>; }, source,
+      target);
+  if (!bounded) return {};
+  const auto has_tilt = [](const auto& model) { return is_tilted(model); };
+  const bool tilted = std::visit(has_tilt, source) || std::visit(has_tilt, target);
+  ErrorBound result = tilted ? Bounder<kTiltedHarmonics>(source, target, domain, target_reach_rad, seen, budget).bound()
+                             : Bounder<kHarmonics>(source, target, domain, target_reach_rad, seen, budget).bound();
+  result.bound += rounding_of(source, target, domain.size);
+  return result;
+}
+
+}  // namespace fca::internal

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A model's polar form over a strip of angles as polynomials in doubles, with what they leave out.
+#pragma once
+
+#include "polar.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace fca::internal {
+
+using Polynomial = std::array<double, kOrder>;
+
+/// A pixel as a function of the angle, t from the centre of a strip, and the azimuth: polynomials in t, exact as they stand
+/// here, and how far each component can be from them anywhere in the strip.
+template <std::size_t N>
+struct Field {
+  std::array<std::array<Polynomial, N>, 2> of{};
+  /// Of each polynomial, a bound of its third derivative in the strip.
+  std::array<std::array<double, N>, 2> third{};
+  std::array<std::array<std::size_t, N>, 2> terms{};  ///< Of each polynomial; 0: it is 0.
+  std::array<double, 2> remainder{};
+  double truncation = 0.0;  ///< The part of the remainder that a narrower strip makes smaller; the rest is rounding.
+};
+
+/// How many coefficients of a polynomial there are up to the last that is not 0.
+inline std::size_t terms_of(const Polynomial& polynomial) {
+  std::size_t terms = polynomial.size();
+  while (terms > 0 && polynomial[terms - 1] == 0.0) --terms;
+  return terms;
+}
+
+/// Taylor polynomials from the series at the centre, their remainders from the series over the whole strip (of which the
+/// lowest coefficient is a plain enclosure: all there is where the remainder is infinite).
+template <std::size_t N>
+Field<N> field_of(const PolarSeriesOf<N>& centre, const PolarSeriesOf<N>& strip, double half) {
+  Field<N> field;
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < N; ++j) {
+      if (!centre.used[i][j]) continue;
+      const Series& point = centre.of[i][j];
+      Polynomial& polynomial = field.of[i][j];
+      double power = 1.0;
+      double remainder = 0.0;
+      double size = 0.0;
+      for (std::size_t k = 0; k < kOrder; ++k, power *= half) {
+        polynomial[k] = point[k].mid;
+        remainder += point[k].rad * power;
+        size += std::abs(point[k].mid) * power;
+      }
+      double truncation = strip.of[i][j][kOrder].magnitude() * power;
+      remainder += truncation;
+      // Later sums in plain doubles: fewer than 64 roundings of numbers not larger than `size`.
+      constexpr double kRoundings = 64.0;
+      remainder = remainder * (1.0 + 1e-12) + kRoundings * kRoundOff * size;
+      const Ball& plain = strip.of[i][j][0];
+      if (!(remainder <= plain.rad)) {
+        polynomial = {plain.mid};
+        truncation = plain.rad;
+        remainder = plain.rad + kRoundings * kRoundOff * std::abs(plain.mid);
+      }
+      field.remainder[i] += remainder;
+      field.truncation += truncation;
+      field.terms[i][j] = terms_of(polynomial);
+      double third = 0.0;
+      for (std::size_t k = kOrder - 1; k >= 3; --k) {
+        third = third * half + static_cast<double>(k * (k - 1) * (k - 2)) * std::abs(polynomial[k]);
+      }
+      field.third[i][j] = third;
+    }
+    field.remainder[i] += strip.series_rest_px[i];
+  }
+  return field;
+}
+
+}  // namespace fca::internal

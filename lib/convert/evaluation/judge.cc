@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/convert/judge.h>
+
+#include "lattice.h"
+#include "maximum.h"
+#include "stages.h"
+#include "summary.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace fca {
+
+namespace internal {
+
+namespace {
+
+void add_pixels(const Scorer& scorer, Summary& summary) {
+  const ImageSize& size = scorer.domain().size;
+  Batch batch;
+  batch.weight.fill(1.0);
+  batch.spread.fill(0.0);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width;) {
+      std::size_t count = 0;
+      for (; count < Batch::kSize && x < size.width; ++count, ++x) {
+        batch.u[count] = static_cast<double>(x);
+        batch.v[count] = static_cast<double>(y);
+      }
+      scorer.score(batch, count);
+      summary.add(batch, count);
+    }
+  }
+}
+
+/// Is the error next to nothing but for a few places, of which a lattice has too few points to sum over it?
+bool is_steep(const ErrorSummary& error) {
+  constexpr double kSteep = 150.0;      // corners of wide lenses: up to 60
+  constexpr double kNobodySees = 1e-6;  // px
+  return error.max > kNobodySees && error.max > kSteep * error.rms;
+}
+
+/// Errors summed over all pixels in place of the lattice's; what part of the image they are of stays as it is.
+void sum_over_pixels(const Scorer& scorer, Judgement& judgement) {
+  constexpr int kBinsPerOctave = 64;
+  Summary summary(kBinsPerOctave);
+  add_pixels(scorer, summary);
+  const Judgement pixels = summary.judgement(scorer.domain());
+  if (pixels.coverage.scored == 0.0) return;
+  const ErrorSummary polished = judgement.error;
+  judgement.error = pixels.error;
+  judgement.error.bound = polished.bound;
+  if (polished.max >= pixels.error.max) {
+    judgement.error.max = polished.max;
+    judgement.error.max_at = polished.max_at;
+  }
+  for (std::size_t i = 0; i < std::min(judgement.bands.size(), pixels.bands.size()); ++i) {
+    judgement.bands[i].rms_px = pixels.bands[i].rms_px;
+    judgement.bands[i].max_px = std::max(judgement.bands[i].max_px, pixels.bands[i].max_px);
+  }
+}
+
+}  // namespace
+
+Score score_on_lattice(const Scorer& scorer) {
+  constexpr int kBinsPerOctave = 64;
+  Summary summary(kBinsPerOctave);
+  score_lattice(scorer, [&](const Batch& batch, std::size_t count) { summary.add(batch, count); });
+  return {summary.judgement(scorer.domain()), summary.worst()};
+}
+
+Score score_every_pixel(const Scorer& scorer) {
+  constexpr int kBinsPerOctave = 1024;  // percentiles to 0.1 %
+  Summary summary(kBinsPerOctave);
+  add_pixels(scorer, summary);
+  Score score{summary.judgement(scorer.domain()), summary.worst()};
+  Coverage& coverage = score.judgement.coverage;
+  coverage.scored_pixels = summary.count(Verdict::kScored);
+  coverage.outside_lens_pixels = summary.count(Verdict::kOutsideLens);
+  coverage.unrepresentable_pixels = summary.count(Verdict::kUnrepresentable);
+  // The worst place may lie between pixels, on the edge of a round domain, where the lattice has points.
+  const std::vector<Point> beside = score_on_lattice(scorer).worst;
+  score.worst.insert(score.worst.end(), beside.begin(), beside.end());
+  std::ranges::sort(score.worst, std::ranges::greater{}, &Point::error);
+  return score;
+}
+
+Judgement judge_all(const Scorer& scorer, Score lattice, const JudgeOptions& options) {
+  constexpr long long kMostPixels = 2'000'000;
+  Score score = options.every_pixel ? score_every_pixel(scorer) : std::move(lattice);
+  Judgement& judgement = score.judgement;
+  find_maximum(scorer, score.worst, options.bound, judgement);
+  const ImageSize& size = scorer.domain().size;
+  if (!options.every_pixel && is_steep(judgement.error) && 1LL * size.width * size.height <= kMostPixels)
+    sum_over_pixels(scorer, judgement);
+  return std::move(score.judgement);
+}
+
+}  // namespace internal
+
+namespace {
+
+Judgement judge_all(const internal::Scorer& scorer, const JudgeOptions& options) {
+  return internal::judge_all(scorer, options.every_pixel ? internal::Score() : internal::score_on_lattice(scorer), options);
+}
+
+}  // namespace
+
+Judgement judge(const Lens& source, const Projection& target, const Domain& domain, const JudgeOptions& options) {
+  return judge_all(internal::Scorer(source, nullptr, &target, domain, options.target_reach_rad), options);
+}
+
+Judgement judge(const Lens& source, const CameraModel& target, const Domain& domain, const JudgeOptions& options) {
+  return judge_all(internal::Scorer(source, &target, nullptr, domain, options.target_reach_rad), options);
+}
+
+}  // namespace fca

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lattice.h"
+
+#include "../sampling/gauss_legendre.h"
+#include "lattice_points.h"
+#include "line_cutter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace fca::internal {
+
+namespace {
+
+/// Of what is scored.
+constexpr std::size_t kFewestPoints = 4000;
+
+/// Small images: every pixel.
+void score_pixels(const ImageSize& size, LatticePoints& points) {
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) points.add({static_cast<double>(x), static_cast<double>(y)}, 1.0);
+  }
+  points.finish();
+}
+
+/// Spokes from the principal point (or the pixel next to it) to nodes along the image's sides: the sides' pieces and the
+/// spokes' end where anything jumps, so that Gauss-Legendre nodes stand for the area between them.
+class Lattice {
+ public:
+  Lattice(const Scorer& scorer, const LatticeSink& sink)
+      : scored_(scorer, sink), unscored_(scorer, sink), cutter_(scorer), size_(scorer.domain().size) {
+    const Pixel axis = scorer.source().centre().point;
+    for (std::size_t i = 0; i < 2; ++i) centre_[i] = std::clamp(axis[i], 0.0, last()[i]);
+  }
+
+  void score() {
+    add_sides();
+    cutter_.look_along(spokes_);
+    parts_.reserve(kUsualParts * spokes_.size());
+    for (std::size_t i = 0; i < spokes_.size(); ++i) divide_spoke(i);
+    const double density = find_density();
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < spokes_.size(); ++i) {
+      add_spoke(i, std::span(parts_).subspan(begin, ends_[i] - begin), density);
+      begin = ends_[i];
+    }
+    scored_.finish();
+    unscored_.finish();
+  }
+
+ private:
+  /// gauss_legendre(count), which takes as long as some points to find its own.
+  const std::vector<Node>& nodes(int count) {
+    const std::vector<Node>*& found = nodes_.at(static_cast<std::size_t>(count));
+    if (found == nullptr) found = &gauss_legendre(count);
+    return *found;
+  }
+
+  [[nodiscard]] Pixel last() const { return {size_.width - 1.0, size_.height - 1.0}; }
+  LatticePoints& points_of(const LineCutter::Piece& piece) { return piece.scored ? scored_ : unscored_; }
+
+  static constexpr std::size_t kUsualParts = 16;
+
+  void add_sides() {
+    const auto [right, bottom] = last();
+    const std::array<Line, 4> sides = {{{{0.0, 0.0}, {right, 0.0}},
+                                        {{right, 0.0}, {right, bottom}},
+                                        {{right, bottom}, {0.0, bottom}},
+                                        {{0.0, bottom}, {0.0, 0.0}}}};
+    cutter_.look_along(sides);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      for (const LineCutter::Piece& piece : cutter_.pieces(i, sides[i])) add_piece_of_side(sides[i], piece);
+      scored_.add(sides[i].from, 0.25);
+    }
+  }
+
+  /// Its nodes are the ends of spokes. Pixels on the border reach half a pixel beyond it: with the weights of these strips, and
+  /// of the corners, a sum over the lattice stands for that over all pixels.
+  void add_piece_of_side(const Line& side, const LineCutter::Piece& piece) {
+    constexpr double kSpokes = 64.0;
+    constexpr int kFewest = 2;
+    constexpr int kFewestInCorner = 7;  // there errors are the steepest
+    const double length = piece.share() * side.length();
+    const double twice_area = piece.share() * std::abs((side.from[0] - centre_[0]) * (side.to[1] - centre_[1]) -
+                                                       (side.from[1] - centre_[1]) * (side.to[0] - centre_[0]));
+    const bool corner = piece.scored && (piece.begin == 0.0 || piece.end == 1.0);
+    const double perimeter = 2.0 * (last()[0] + last()[1]);
+    const int count = std::max(corner ? kFewestInCorner : kFewest, static_cast<int>(std::lround(kSpokes * length / perimeter)));
+    for (const Node& node : gauss_legendre(count)) {
+      const Pixel end = side.at(piece.begin + node.position * piece.share());
+      points_of(piece).add(end, 0.5 * node.weight * length);
+      spokes_.push_back({centre_, end});
+      twice_areas_.push_back(node.weight * twice_area);
+    }
+  }
+
+  /// A part of a spoke, with nodes of its own.
+  struct Part {
+    double begin;
+    double share;
+    int fewest;  ///< Nodes.
+    bool scored;
+    bool last_of_scored;  ///< What follows is not.
+
+    [[nodiscard]] int nodes(double density) const {
+      return std::max(fewest, 1 + static_cast<int>(std::min(density * share, kMostNodes - 1.0)));
+    }
+  };
+  static constexpr int kMostNodes = 64;
+
+  /// Where errors are 0 at some angle, their mean asks for nodes at many angles: pieces are divided elsewhere on each spoke.
+  void divide_spoke(std::size_t i) {
+    constexpr double kGoldenRatio = 0.6180339887498949;
+    constexpr int kManyAtEdge = 6;  // there errors bend the most
+    const int few = i % 2 == 0 ? 3 : 4;
+    const double turn = static_cast<double>(i) * kGoldenRatio;
+    const double shift = turn - std::floor(turn);
+    const std::span<const LineCutter::Piece> pieces = cutter_.pieces(i, spokes_[i]);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const LineCutter::Piece& piece = pieces[k];
+      if (!piece.scored) {
+        parts_.push_back({piece.begin, piece.share(), 1, false, false});
+        continue;
+      }
+      const bool at_edge = k + 1 == pieces.size() || !pieces[k + 1].scored;
+      const int fewest = at_edge ? kManyAtEdge : few;
+      const double share = (at_edge ? 0.55 + 0.3 * shift : 0.25 + 0.5 * shift) * piece.share();
+      parts_.push_back({piece.begin, share, fewest, true, false});
+      parts_.push_back({piece.begin + share, piece.share() - share, fewest, true, at_edge && piece.end < 1.0});
+    }
+    ends_.push_back(parts_.size());
+  }
+
+  /// Nodes per length of a spoke, so that there are enough points in all.
+  [[nodiscard]] double find_density() const {
+    constexpr double kLeast = 20.0;
+    constexpr double kMost = 1e7;          // slivers have kMostNodes, too: where next to nothing is scored, there are no more
+    constexpr double kLeastGrowth = 1.25;  // most parts may have as many nodes as they need already
+    // The last one of a spoke may turn out to lie beyond the edge.
+    const std::size_t fewest = kFewestPoints + spokes_.size();
+    double density = kLeast;
+    while (density < kMost) {
+      std::size_t points = scored_.added();
+      for (const Part& part : parts_) points += part.scored ? static_cast<std::size_t>(part.nodes(density)) : 0;
+      if (points >= fewest) break;
+      density *= std::max(kLeastGrowth, static_cast<double>(fewest) / static_cast<double>(points));
+    }
+    return density;
+  }
+
+  /// The spoke's scored points lie in a row.
+  void add_spoke(std::size_t i, std::span<const Part> parts, double density) {
+    constexpr double kHair = 1e-6;
+    std::array<double, Batch::kSize> places;
+    std::array<double, Batch::kSize> weights;
+    std::size_t count = 0;
+    const Line& spoke = spokes_[i];
+    const auto finish = [&] {
+      if (count > 0) scored_.add_row(spoke, std::span(places).first(count), std::span(weights).first(count));
+      count = 0;
+    };
+    for (const Part& part : parts) {
+      // What a node stands for widens with its distance from the spoke's begin.
+      const double area = twice_areas_[i] * part.share;
+      if (!part.scored) {
+        const double middle = part.begin + 0.5 * part.share;
+        unscored_.add(spoke.at(middle), area * middle);
+        continue;
+      }
+      if (count + kMostNodes + 1 > places.size()) finish();
+      for (const Node& node : nodes(part.nodes(density))) {
+        const double place = part.begin + node.position * part.share;
+        places[count] = place;
+        weights[count++] = area * node.weight * place;
+      }
+      if (!part.last_of_scored) continue;
+      // A candidate for the maximum.
+      places[count] = part.begin + part.share - kHair;
+      weights[count++] = 0.0;
+    }
+    finish();
+  }
+
+  LatticePoints scored_;
+  LatticePoints unscored_;  ///< Apart: batches of which all is scored take less time.
+  LineCutter cutter_;
+  ImageSize size_;
+  Pixel centre_{};
+  std::vector<Line> spokes_;
+  std::vector<double> twice_areas_;                               ///< Of the triangles for which the spokes stand.
+  std::vector<Part> parts_;                                       ///< Of all spokes.
+  std::vector<std::size_t> ends_;                                 ///< Of each spoke's.
+  std::array<const std::vector<Node>*, kMostNodes + 1> nodes_{};  ///< By their number.
+};
+
+}  // namespace
+
+void score_lattice(const Scorer& scorer, const LatticeSink& sink) {
+  constexpr long long kPixels = 5000;
+  const ImageSize& size = scorer.domain().size;
+  if (1LL * size.width * size.height <= kPixels) {
+    LatticePoints points(scorer, sink);
+    score_pixels(size, points);
+  } else {
+    Lattice(scorer, sink).score();
+  }
+}
+
+std::vector<Point> score_lattice(const Scorer& scorer) {
+  std::vector<Point> points;
+  score_lattice(scorer, [&](const Batch& batch, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) points.push_back(batch.point(i));
+  });
+  return points;
+}
+
+}  // namespace fca::internal

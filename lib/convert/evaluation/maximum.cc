@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "maximum.h"
+
+#include "../bound/bound.h"
+#include "lens_edges.h"
+#include "summary.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace fca::internal {
+
+/// Along eight directions, with steps down to a thousandth of a pixel.
+Point climb(const Scorer& scorer, const Pixel& start) {
+  constexpr double kFinestStep = 1e-3;      // px
+  constexpr std::size_t kMostPoints = 600;  // along a ring of nearly equal errors it would never end
+  constexpr double kDiagonal = 0.7071067811865476;
+  constexpr std::array<Pixel, 8> kDirections = {{{1, 0},
+                                                 {-1, 0},
+                                                 {0, 1},
+                                                 {0, -1},
+                                                 {kDiagonal, kDiagonal},
+                                                 {-kDiagonal, kDiagonal},
+                                                 {kDiagonal, -kDiagonal},
+                                                 {-kDiagonal, -kDiagonal}}};
+  const ImageSize& size = scorer.domain().size;
+  const Pixel last = {size.width - 1.0, size.height - 1.0};
+  Point best = scorer.at(start);
+  std::size_t points = 0;
+  std::array<Point, kDirections.size()> around;
+  for (double step = std::max(last[0], last[1]) / 64.0; step > kFinestStep && points < kMostPoints; points += around.size()) {
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      around[i].pixel = {std::clamp(best.pixel[0] + step * kDirections[i][0], 0.0, last[0]),
+                         std::clamp(best.pixel[1] + step * kDirections[i][1], 0.0, last[1])};
+    }
+    scorer.score(around);
+    bool moved = false;
+    for (const Point& next : around) {
+      if (next.verdict != Verdict::kScored || !(next.error > best.error)) continue;
+      best = next;
+      moved = true;
+    }
+    if (!moved) step *= 0.5;
+  }
+  return best;
+}
+
+namespace {
+
+/// The band of a point, be it that no point of the lattice lies in it: next to no share of the image.
+ErrorBand& band_of(const Point& point, std::vector<ErrorBand>& bands) {
+  constexpr double kBandRadians = Summary::kBandDegrees * std::numbers::pi / 180.0;
+  constexpr auto kLast = static_cast<std::size_t>(180.0 / Summary::kBandDegrees) - 1;
+  const double angle = std::acos(std::clamp(point.cosine, -1.0, 1.0));
+  const std::size_t band = std::min(kLast, static_cast<std::size_t>(angle / kBandRadians));
+  while (bands.size() <= band) {
+    const double from = Summary::kBandDegrees * static_cast<double>(bands.size());
+    bands.push_back({from, from + Summary::kBandDegrees, 0.0, 0.0, 0.0});
+  }
+  return bands[band];
+}
+
+void keep_if_worse(const Point& point, Judgement& result) {
+  if (point.verdict != Verdict::kScored || point.error < result.error.max) return;
+  result.error.max = point.error;
+  result.error.max_at = point.pixel;
+  ErrorBand& band = band_of(point, result.bands);
+  band.max_px = std::max(band.max_px, point.error);
+  if (band.share == 0.0) band.rms_px = band.max_px;
+}
+
+double error_of(const Point& point) { return point.verdict == Verdict::kScored ? point.error : -1.0; }
+
+/// To where the error is largest along an edge, near an azimuth.
+Point climb_along(const Scorer& scorer, const LensEdge& edge, double azimuth, double step, Point top) {
+  constexpr double kFinest = 1e-5;  // rad
+  while (step > kFinest) {
+    bool moved = false;
+    for (const double next : {azimuth + step, azimuth - step}) {
+      const std::optional<Pixel> pixel = edge.at(next);
+      const Point point = pixel ? scorer.at(*pixel) : Point();
+      if (!(error_of(point) > error_of(top))) continue;
+      top = point;
+      azimuth = next;
+      moved = true;
+      break;
+    }
+    if (!moved) step *= 0.5;
+  }
+  return top;
+}
+
+/// How much higher than its middle one of three neighbours on an edge a top between them may be. A parabola's is at most an
+/// eighth of the second difference above it; where the edge leaves the image, at one neighbour, nobody knows.
+double possible_rise(double before, double here, double behind) {
+  constexpr double kNoParabola = 2.0;
+  if (before < 0.0 || behind < 0.0) return here;
+  return kNoParabola * 0.125 * std::abs(before - 2.0 * here + behind);
+}
+
+/// Where an edge leaves the image between an azimuth and its neighbour, a step (rad, signed) away.
+Point end_of_edge(const Scorer& scorer, const LensEdge& edge, double azimuth, double step) {
+  constexpr double kFinest = 1e-9;  // rad
+  Point last;
+  for (double way = 0.5 * step; std::abs(way) > kFinest; way *= 0.5) {
+    const std::optional<Pixel> pixel = edge.at(azimuth + way);
+    if (!pixel) continue;
+    azimuth += way;
+    last.pixel = *pixel;
+    last.verdict = Verdict::kScored;
+  }
+  return last.verdict == Verdict::kScored ? scorer.at(last.pixel) : last;
+}
+
+/// The tops of an edge that may be higher than what was seen.
+void climb_edge(const Scorer& scorer, const LensEdge& edge, Judgement& result) {
+  constexpr int kAzimuths = 120;
+  constexpr double kSpacing = 2.0 * std::numbers::pi / kAzimuths;
+  const std::vector<Point> rim = points_of(scorer, edge, kAzimuths);
+  const double highest = std::max(result.error.max, error_of(std::ranges::max(rim, {}, error_of)));
+  Point best;
+  const auto keep_worse = [&best](const Point& point) {
+    if (error_of(point) > error_of(best)) best = point;
+  };
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const double here = error_of(rim[i]);
+    const double before = error_of(rim[(i + rim.size() - 1) % rim.size()]);
+    const double behind = error_of(rim[(i + 1) % rim.size()]);
+    if (here >= 0.0 && before < 0.0) keep_worse(end_of_edge(scorer, edge, kSpacing * static_cast<double>(i), -kSpacing));
+    if (here >= 0.0 && behind < 0.0) keep_worse(end_of_edge(scorer, edge, kSpacing * static_cast<double>(i), kSpacing));
+    if (here < std::max(before, behind) || here + possible_rise(before, here, behind) < highest) continue;
+    keep_worse(climb_along(scorer, edge, kSpacing * static_cast<double>(i), 0.5 * kSpacing, rim[i]));
+  }
+  if (best.verdict != Verdict::kScored) return;
+  keep_if_worse(best, result);
+  keep_if_worse(climb(scorer, best.pixel), result);
+}
+
+/// Climbs from the points, the worst first, but not twice up the same hill, nor where an edge was climbed along.
+void climb_from(const Scorer& scorer, std::span<const Point> points, std::span<const LensEdge> edges, std::size_t most,
+                Judgement& result) {
+  const ImageSize& size = scorer.domain().size;
+  const double apart = std::max(size.width, size.height) / 20.0;
+  std::vector<Pixel> climbed;
+  for (const Point& point : points) {
+    if (climbed.size() >= most) return;
+    if (std::ranges::any_of(edges, [&point](const LensEdge& edge) { return edge.passes(point); })) continue;
+    const bool known = std::ranges::any_of(
+        climbed, [&](const Pixel& other) { return std::hypot(point.pixel[0] - other[0], point.pixel[1] - other[1]) < apart; });
+    if (known) continue;
+    climbed.push_back(point.pixel);
+    const Point top = climb(scorer, point.pixel);
+    climbed.push_back(top.pixel);
+    keep_if_worse(top, result);
+  }
+}
+
+}  // namespace
+
+/// Along the edges of what is scored, which a climb does not follow, and from the worst points. With a bound, the search for it
+/// looks everywhere: it ends at most 1 % below the maximum, and one more climb leads up there.
+void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove, Judgement& result) {
+  if (worst.empty()) return;
+  constexpr std::size_t kAll = 12;
+  constexpr std::size_t kFew = 4;
+  const CameraModel* source = scorer.source().model();
+  const bool provable = prove && source != nullptr && scorer.target() != nullptr;
+  // Where the source is no model, its edge is where climbing ends, too.
+  std::vector<LensEdge> edges;
+  if (source != nullptr) edges = lens_edges(scorer);
+  for (const LensEdge& edge : edges) climb_edge(scorer, edge, result);
+  climb_from(scorer, worst, edges, provable ? kFew : kAll, result);
+  if (!provable) return;
+  const double climbed = result.error.max;
+  const ErrorBound proof = bound_error(*source, *scorer.target(), scorer.domain(), scorer.target_reach_rad(), climbed);
+  if (proof.seen > climbed) {
+    keep_if_worse(climb(scorer, proof.seen_at), result);
+  }
+  // What was measured is an error, too, even where rounding had its part in it.
+  result.error.bound = std::max(proof.bound, result.error.max);
+}
+
+}  // namespace fca::internal

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fit_domain.h"
+
+#include "../sampling/edge_samples.h"
+
+#include <fca/convert/sample.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fca::internal {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Micros = std::chrono::duration<double, std::micro>;
+
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+constexpr double kAhead = std::numbers::pi / 2.0;
+
+/// Fits the target to about `count` samples of the domain: from its own starts, or where one to fewer samples ended.
+SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = nullptr) {
+  std::vector<Correspondence> samples = sample(task.camera.model, task.domain, count);
+  SampledFit result;
+  result.samples = samples.size();
+  if (!too_few(samples.size(), task.target)) {
+    if (may_end_early(task.target.id)) add_edge(task.camera.model, task.domain, samples);
+    result.model = coarser != nullptr
+                       ? fit_from(coarser->model, samples, task.options.ranges)
+                       : fit_model(task.target.id, samples, task.centre, task.options.ranges, Reach::kEverySample);
+  }
+  return result;
+}
+
+/// How many times worse, or better, the model is over the image than on the samples of its fit; 1 if nobody sees the
+/// difference. One that bends faster than they lie (rational beyond 70 degrees) can be twice as bad, and one that is better was
+/// fitted to the few of them that are the worst.
+double other_than_on_samples(const Judgement& judgement, const FittedModel& fitted) {
+  constexpr double kNobodySees = 1e-6;  // px
+  const auto [less, more] = std::minmax(judgement.error.rms, fitted.rms_px);
+  return !fitted.reaches_all || more <= less + kNobodySees ? 1.0 : more / less;
+}
+
+/// The fit to the domain, its error being that of the image: on more samples, while that helps. Not scored where it does not
+/// reach every sample.
+DomainFit fit_and_score(const FitTask& task) {
+  constexpr int kMostDoublings = 3;
+  constexpr double kAlike = 1.01;  // the lattice itself tells no more
+  constexpr double kVeryUnlike = 1.2;
+  constexpr double kHelps = 0.999;
+  constexpr double kNobodySees = 1e-4;  // px
+  DomainFit result;
+  for (int doubling = 0; doubling <= kMostDoublings; ++doubling) {
+    const bool is_first = doubling == 0;
+    const Clock::time_point start = Clock::now();
+    SampledFit finer = fit(task, task.options.samples << doubling, is_first ? nullptr : &*result.fitted.model);
+    result.time += Clock::now() - start;
+    if (!finer.model || !finer.model->reaches_all) {
+      if (is_first) result.fitted = std::move(finer);
+      break;
+    }
+    Score score = score_on_lattice({task.camera.model, &finer.model->model, nullptr, task.domain, finer.reach_rad});
+    const Judgement& judgement = score.judgement;
+    const Judgement& before = result.score.judgement;
+    const bool helps = is_first || judgement.coverage.scored > before.coverage.scored + 1e-3 ||
+                       judgement.error.rms < kHelps * before.error.rms;
+    const double unlike = other_than_on_samples(judgement, *finer.model);
+    const bool misses_edge = judgement.coverage.unrepresentable > kVeryEdge;
+    if (helps) {
+      result.fitted = std::move(finer);
+      result.score = std::move(score);
+    }
+    // Poles lie where they fit the samples, and samples and image may agree by chance.
+    if (is_first && has_poles(task.target.id) && judgement.error.rms > kNobodySees) continue;
+    if (unlike <= (helps ? kAlike : kVeryUnlike) && !(helps && misses_edge)) break;
+  }
+  return result;
+}
+
+/// Does the model have a pixel for every ray of the domain, but for its very edge? The radius then grows with the angle as far:
+/// a model ends where it does not.
+bool reaches(const DomainFit& fit) {
+  return fit.fitted.model && fit.fitted.model->reaches_all && fit.score.judgement.coverage.unrepresentable <= kVeryEdge;
+}
+
+/// The rule of fit_domain.h, which decides over the whole domain and over each cone.
+bool describes(const FitTask& task, const DomainFit& fit) {
+  constexpr double kLimitRms = 1.0;  // px
+  return reaches(fit) && (!sees_ahead_only(task.target.id) || fit.score.judgement.error.rms <= kLimitRms);
+}
+
+/// The fit inside that angle, judged there.
+DomainFit fit_cone(const FitTask& task, double degrees) {
+  Domain cone = task.domain;
+  cone.max_angle_rad = std::min(cone.max_angle_rad, degrees * kRadiansPerDegree);
+  DomainFit result = fit_and_score({task.camera, task.target, task.options, cone, task.centre});
+  result.fitted.reach_rad = cone.max_angle_rad;
+  return result;
+}
+
+/// The largest cone narrower than `below_rad` that the target describes, found in steps of 5 degrees and to a degree; failing
+/// that, the widest of the steps that it reaches; failing that, no model.
+DomainFit fit_largest_cone(const FitTask& task, double below_rad) {
+  constexpr int kNarrowestDeg = 5;
+  constexpr int kStepDeg = 5;
+  const int below = static_cast<int>(std::ceil(below_rad / kRadiansPerDegree - 1e-9));
+  DomainFit best;
+  Micros time{};
+  const auto try_out = [&](int degrees) {
+    DomainFit cone = fit_cone(task, degrees);
+    time += cone.time;
+    return cone;
+  };
+  for (int good = (below - 1) / kStepDeg * kStepDeg; good >= kNarrowestDeg; good -= kStepDeg) {
+    DomainFit cone = try_out(good);
+    if (too_few(cone.fitted.samples, task.target)) break;
+    if (!describes(task, cone)) {
+      if (!best.fitted.model && reaches(cone)) best = std::move(cone);
+      continue;
+    }
+    best = std::move(cone);
+    for (int bad = std::min(good + kStepDeg, below); bad - good > 1;) {
+      const int between = (good + bad) / 2;
+      DomainFit wider = try_out(between);
+      const bool is_good = describes(task, wider);
+      (is_good ? good : bad) = between;
+      if (is_good) best = std::move(wider);
+    }
+    break;
+  }
+  best.time = time;
+  return best;
+}
+
+}  // namespace
+
+bool too_few(std::size_t samples, const ModelInfo& target) { return 2 * samples < target.parameters.size(); }
+
+DomainFit fit_domain(const FitTask& task) {
+  const double angle = task.domain.max_angle_rad;
+  const bool ahead_only = sees_ahead_only(task.target.id);
+  DomainFit result;
+  if (!ahead_only || angle < kAhead) {
+    result = fit_and_score(task);
+    if (too_few(result.fitted.samples, task.target) || describes(task, result)) return result;
+  }
+  if (!task.options.cone) {
+    result.fitted.model.reset();
+    return result;
+  }
+  DomainFit cone = fit_largest_cone(task, ahead_only ? std::min(angle, kAhead) : angle);
+  const Micros time = result.time + cone.time;
+  if (cone.fitted.model && (!reaches(result) || describes(task, cone))) {
+    result = std::move(cone);
+  } else if (!result.fitted.model) {
+    result = fit_and_score(task);  // what sees ahead only, to what of the lens lies there
+  }
+  result.time = time;
+  if (const std::optional<FittedModel>& model = result.fitted.model) {
+    // A cone was scored as if the domain ended with it.
+    result.score = score_on_lattice({task.camera.model, &model->model, nullptr, task.domain, result.fitted.reach_rad});
+  }
+  return result;
+}
+
+}  // namespace fca::internal

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one place where the fit is instantiated for the models of the list.
+#include "fit_model.h"
+
+#include "../exact.h"
+#include "fitter.h"
+#include "jet_target.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fca::internal {
+
+namespace {
+
+template <CameraModelType M>
+std::optional<FittedModel> listed(std::optional<FoundFit> fit) {
+  if (!fit) return std::nullopt;
+  Intrinsics<M> model;
+  std::copy_n(fit->parameters.begin(), model.values.size(), model.values.begin());
+  FittedModel result{model, fit->rms_px, fit->iterations, fit->reaches_all, std::move(fit->at_bound)};
+  if (!validate(result.model).empty()) return std::nullopt;
+  return result;
+}
+
+std::optional<FittedModel> fit_from_own_starts(std::string_view id, std::span<const Correspondence> samples,
+                                               const LensCentre& centre, std::span<const ParameterRange> ranges) {
+  std::optional<FittedModel> result;
+  ModelList::for_each([&]<CameraModelType M>() {
+    if (M::kId == id) result = listed<M>(fit_target(JetTarget<M>(), samples, centre, ranges));
+  });
+  return result;
+}
+
+/// The coefficient of a model that a wide lens may be better off without (model_traits.h); nothing if it has none.
+std::optional<ParameterId> bends_back(std::string_view id) {
+  std::optional<ParameterId> result;
+  ModelList::for_each([&]<CameraModelType M>() {
+    if constexpr (requires { M::kBendsBack; }) {
+      if (M::kId == id) result = ParameterId::of<M>(M::kBendsBack);
+    }
+  });
+  return result;
+}
+
+/// Does a conversion prefer a to b? More of the lens first, then fewer pixels.
+bool better(const FittedModel& a, const std::optional<FittedModel>& b) {
+  if (!b) return true;
+  if (a.reaches_all != b->reaches_all) return a.reaches_all;
+  return a.rms_px < b->rms_px;
+}
+
+/// Root mean square of the distances between the samples' pixels and the model's.
+double rms_over(std::span<const Correspondence> samples, const CameraModel& model) {
+  double sum = 0.0;
+  double weight = 0.0;
+  for (const Correspondence& s : samples) {
+    const std::optional<Pixel> pixel = project(model, s.ray);
+    if (!pixel) continue;
+    sum += s.weight * (std::pow((*pixel)[0] - s.pixel[0], 2) + std::pow((*pixel)[1] - s.pixel[1], 2));
+    weight += s.weight;
+  }
+  return weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
+}
+
+/// May the contained model have a better fit, or a plainer one where a parameter ran to its bound? Not if it stays behind on a
+/// few of the samples although fitted to those alone.
+bool may_be_beaten(const FittedModel& best, std::string_view inner, std::span<const Correspondence> samples,
+                   const LensCentre& centre, std::span<const ParameterRange> ranges) {
+  constexpr double kNobodySees = 1e-3;  // px
+  constexpr std::size_t kFew = 48;
+  if (!best.reaches_all) return true;
+  if (best.rms_px <= kNobodySees) return !best.at_bound.empty();
+  const std::vector<Correspondence> few = spread(samples, kFew);
+  const std::optional<FittedModel> rival = fit_from_own_starts(inner, few, centre, ranges);
+  return !rival || rival->rms_px < rms_over(few, best.model);
+}
+
+ParameterValues values_of(const CameraModel& model) {
+  ParameterValues values{};
+  std::ranges::copy(parameter_values(model), values.begin());
+  return values;
+}
+
+/// That camera, scored; nothing if it lies outside the ranges.
+std::optional<FittedModel> as_it_is(const CameraModel& model, std::span<const Correspondence> samples,
+                                    std::span<const ParameterRange> ranges) {
+  return std::visit(
+      [&]<class M>(const Intrinsics<M>& /*model*/) {
+        const JetTarget<M> target;
+        return listed<M>(Fitter(target, samples, ranges).as_it_is(values_of(model)));
+      },
+      model);
+}
+
+/// Keeps in `best` the best of itself, a fit from `start`, and `start` as it is.
+void improve_from(const CameraModel& start, std::span<const Correspondence> samples, std::span<const ParameterRange> ranges,
+                  std::optional<FittedModel>& best) {
+  std::optional<FittedModel> fitted = std::visit(
+      [&]<class M>(const Intrinsics<M>& /*model*/) {
+        const JetTarget<M> target;
+        const LensCentre centre{central_focal_lengths(start), principal_point(start)};
+        return listed<M>(Fitter(target, samples, ranges).refit(values_of(start), centre));
+      },
+      start);
+  if (fitted && better(*fitted, best)) best = std::move(fitted);
+  std::optional<FittedModel> unchanged = as_it_is(start, samples, ranges);
+  if (unchanged && better(*unchanged, best)) best = std::move(unchanged);
+}
+
+/// A radius that turns back may do so within a hair of the edge, where samples have no weight: then the fit does not reach
+/// them.
+void ask_every_sample(std::span<const Correspondence> samples, std::optional<FittedModel>& fitted) {
+  if (!fitted || !bends_back(model_info(fitted->model).id)) return;
+  const double last = max_angle(fitted->model);
+  fitted->reaches_all = std::ranges::all_of(samples, [last](const Correspondence& s) { return angle_from_axis(s.ray) < last; });
+}
+
+bool allows_none(ParameterId coefficient, std::span<const ParameterRange> ranges) {
+  return std::ranges::all_of(ranges, [coefficient](const ParameterRange& range) {
+    return range.parameter != coefficient || (range.lower <= 0.0 && range.upper >= 0.0);
+  });
+}
+
+/// Where the radius of the optimum, `turning`, turns back before the last sample, or there is none: the best of what has no
+/// more of a coefficient than lets it grow; nothing if even without it the radius turns back.
+std::optional<FittedModel> bend_less(std::string_view id, ParameterId coefficient, const std::optional<FittedModel>& turning,
+                                     std::span<const Correspondence> samples, const LensCentre& centre,
+                                     std::span<const ParameterRange> ranges) {
+  constexpr int kHalvings = 10;  // of the coefficient, to a thousandth
+  if (!allows_none(coefficient, ranges)) return std::nullopt;
+  std::vector<ParameterRange> fixed(ranges.begin(), ranges.end());
+  fixed.push_back({coefficient, 0.0, 0.0});
+  std::optional<FittedModel> grows = fit_from_own_starts(id, samples, centre, fixed);
+  ask_every_sample(samples, grows);
+  if (!grows || !grows->reaches_all || !turning) return grows;
+  double there = 0.0;
+  double too_far = parameter(turning->model, coefficient).value();
+  for (int i = 0; i < kHalvings && too_far != there; ++i) {
+    const double between = 0.5 * (there + too_far);
+    fixed.back() = {coefficient, between, between};
+    const std::optional<FittedModel> fitted = fit_from(grows->model, samples, fixed);
+    if (fitted && fitted->reaches_all && fitted->rms_px <= grows->rms_px) {
+      there = between;
+      grows = fitted;
+    } else {
+      too_far = between;
+    }
+  }
+  return grows;
+}
+
+}  // namespace
+
+bool sees_ahead_only(std::string_view id) {
+  bool result = false;
+  ModelList::for_each([&]<CameraModelType M>() {
+    if constexpr (requires { M::kAheadOnly; }) {
+      if (M::kId == id) result = M::kAheadOnly;
+    }
+  });
+  return result;
+}
+
+bool has_poles(std::string_view id) {
+  bool result = false;
+  ModelList::for_each([&]<CameraModelType M>() {
+    if (M::kId == id) result = JetTarget<M>().has_poles();
+  });
+  return result;
+}
+
+bool may_end_early(std::string_view id) { return has_poles(id) || bends_back(id); }
+
+std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
+                                     std::span<const ParameterRange> ranges, Reach reach) {
+  std::optional<FittedModel> best = fit_from_own_starts(id, samples, centre, ranges);
+  if (reach == Reach::kEverySample) ask_every_sample(samples, best);
+  if (const std::optional<ParameterId> bends = bends_back(id); bends && (!best || !best->reaches_all)) {
+    std::optional<FittedModel> grows = bend_less(id, *bends, best, samples, centre, ranges);
+    if (grows && better(*grows, best)) best = std::move(grows);
+  }
+  const std::string_view inner = contained_model(id);
+  if (inner.empty() || (best && !may_be_beaten(*best, inner, samples, centre, ranges))) return best;
+  if (const std::optional<FittedModel> contained = fit_model(inner, samples, centre, ranges, reach)) {
+    if (const std::optional<CameraModel> start = convert_nearly(contained->model, id)) {
+      // Next to the limit of a model its other parameters could grow beyond all measure, for a gain that nobody sees.
+      constexpr double kNobodySees = 1e-5;  // px
+      std::optional<FittedModel> near = as_it_is(*start, samples, ranges);
+      if (near && near->reaches_all && near->rms_px <= kNobodySees) return near;
+      improve_from(*start, samples, ranges, best);
+    }
+  }
+  return best;
+}
+
+std::unique_ptr<FitTarget> fit_target_of(const CameraModel& model) {
+  return std::visit(
+      []<class M>(const Intrinsics<M>& /*model*/) -> std::unique_ptr<FitTarget> { return std::make_unique<JetTarget<M>>(); },
+      model);
+}
+
+std::optional<FittedModel> fit_from(const CameraModel& start, std::span<const Correspondence> samples,
+                                    std::span<const ParameterRange> ranges) {
+  std::optional<FittedModel> best;
+  improve_from(start, samples, ranges, best);
+  ask_every_sample(samples, best);
+  return best;
+}
+
+}  // namespace fca::internal

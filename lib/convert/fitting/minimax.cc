@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "minimax.h"
+
+#include "../evaluation/lattice.h"
+#include "../evaluation/lens_edges.h"
+#include "../evaluation/maximum.h"
+#include "fit_limits.h"
+#include "fit_model.h"
+#include "linearised.h"
+#include "smooth_maximum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+namespace fca::internal {
+
+namespace {
+
+/// The errors of a model at some points.
+class ModelErrors final : public PointErrors {
+ public:
+  ModelErrors(const FitTarget& target, std::span<const Correspondence> points, const std::array<bool, kMostParameters>& fixed)
+      : target_(target), points_(points), fixed_(fixed), linearised_(target), pixels_(points.size()) {
+    for (const Correspondence& point : points_) lowest_ = std::min(lowest_, point.ray[2]);
+  }
+
+  [[nodiscard]] std::size_t size() const override { return points_.size(); }
+
+  bool squares(std::span<const double> values, std::span<double> result) override {
+    // The domain's limit decides for all rays at once, unless it is too close to tell.
+    constexpr double kHair = 1e-9;
+    const bool all_within = lowest_ > std::cos(target_.max_angle(values.data())) + kHair;
+    if (all_within && !target_.pixels(values.data(), points_, pixels_.data())) return false;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Correspondence& point = points_[i];
+      if (!all_within && !target_.project(values.data(), point.ray.data(), pixels_[i].data())) return false;
+      const double du = pixels_[i][0] - point.pixel[0];
+      const double dv = pixels_[i][1] - point.pixel[1];
+      result[i] = du * du + dv * dv;
+      if (!std::isfinite(result[i])) return false;
+    }
+    return true;
+  }
+
+  bool linearise(std::span<const double> values, std::span<const WeightedPoint> points, LinearErrors& result) override {
+    std::vector<Correspondence> chosen;
+    chosen.reserve(points.size());
+    for (const WeightedPoint& point : points) {
+      chosen.push_back(points_[point.index]);
+      chosen.back().weight = point.weight;
+    }
+    linearised_.reset(std::move(chosen), fixed_);
+    ParameterValues at{};
+    std::ranges::copy(values, at.begin());
+    if (!linearised_.linearise(at)) return false;
+    result = {linearised_.columns(), linearised_.residuals()};
+    return true;
+  }
+
+ private:
+  const FitTarget& target_;
+  std::span<const Correspondence> points_;
+  std::array<bool, kMostParameters> fixed_;
+  Linearised linearised_;
+  std::vector<Pixel> pixels_;
+  double lowest_ = 1.0;  ///< Cosine of the largest angle from the axis.
+};
+
+/// From `fit.model`, in place.
+void minimise_on(std::span<const Correspondence> points, std::span<const ParameterRange> ranges, double first_sharpness,
+                 MinimaxFit& fit) {
+  const std::unique_ptr<FitTarget> target = fit_target_of(fit.model);
+  const FitLimits limits(*target, ranges);
+  std::array<bool, kMostParameters> fixed{};
+  std::vector<FreeParameter> free;
+  std::visit(
+      [&](auto& model) {
+        for (std::size_t i = 0; i < model.values.size(); ++i) {
+          fixed[i] = limits.fixed(i);
+          if (fixed[i]) continue;
+          free.push_back({i, limits.lower[i], limits.upper[i]});
+          model.values[i] = std::clamp(model.values[i], limits.lower[i], limits.upper[i]);
+        }
+        ModelErrors errors(*target, points, fixed);
+        fit.iterations += minimise_maximum(errors, free, first_sharpness, model.values);
+      },
+      fit.model);
+  fit.at_bound.clear();
+  for (const FreeParameter& p : free) {
+    const double value = parameter_values(fit.model)[p.index];
+    if (value == p.lower || value == p.upper) fit.at_bound.emplace_back(target->parameters()[p.index].name);
+  }
+}
+
+/// Everything that is scored, the worst first.
+std::vector<Point> scored_points(const Scorer& scorer) {
+  std::vector<Point> points = score_lattice(scorer);
+  constexpr int kAzimuths = 360;
+  for (const LensEdge& edge : lens_edges(scorer)) {
+    const std::vector<Point> rim = points_of(scorer, edge, kAzimuths);
+    points.insert(points.end(), rim.begin(), rim.end());
+  }
+  std::erase_if(points, [](const Point& point) { return point.verdict != Verdict::kScored; });
+  std::ranges::stable_sort(points, std::ranges::greater{}, &Point::error);
+  return points;
+}
+
+/// A few of the points, near and far from the axis alike, the furthest one among them: if that is in a model's domain, so are
+/// the others.
+std::vector<Point> few_of(std::vector<Point> points) {
+  constexpr std::size_t kFew = 600;
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / kFew);
+  std::ranges::stable_sort(points, {}, &Point::cosine);
+  std::vector<Point> few;
+  for (std::size_t i = 0; i < points.size(); i += stride) few.push_back(points[i]);
+  return few;
+}
+
+/// The tops of the highest hills of the error.
+std::vector<Point> hilltops(const Scorer& scorer, std::span<const Point> worst_first) {
+  constexpr double kHigh = 0.97;  // of the highest
+  constexpr std::size_t kMost = 32;
+  const ImageSize& size = scorer.domain().size;
+  const double apart = std::max(size.width, size.height) / 20.0;
+  std::vector<Point> tops;
+  std::vector<Pixel> known;
+  for (const Point& point : worst_first) {
+    if (tops.size() >= kMost || point.error < kHigh * worst_first.front().error) break;
+    const auto near = [&](const Pixel& other) {
+      return std::hypot(point.pixel[0] - other[0], point.pixel[1] - other[1]) < apart;
+    };
+    if (std::ranges::any_of(known, near)) continue;
+    tops.push_back(climb(scorer, point.pixel));
+    known.push_back(point.pixel);
+    known.push_back(tops.back().pixel);
+  }
+  return tops;
+}
+
+/// Adds the points to the set; false where none of them is worth it.
+bool add(const Scorer& scorer, std::span<const Point> points, double at_least, std::vector<Correspondence>& set) {
+  bool added = false;
+  for (const Point& point : points) {
+    const std::optional<Ray> ray = scorer.source().ray(point.pixel);
+    if (!ray || point.error < at_least) continue;
+    set.push_back({*ray, point.pixel, 1.0});
+    added = true;
+  }
+  return added;
+}
+
+double largest_error(const CameraModel& model, std::span<const Correspondence> points) {
+  double largest = 0.0;
+  for (const Correspondence& point : points) {
+    const std::optional<Pixel> pixel = project(model, point.ray);
+    if (pixel) largest = std::max(largest, std::hypot((*pixel)[0] - point.pixel[0], (*pixel)[1] - point.pixel[1]));
+  }
+  return largest;
+}
+
+}  // namespace
+
+MinimaxFit fit_largest_error(const CameraModel& source, const CameraModel& start, const Domain& domain, double target_reach_rad,
+                             std::span<const ParameterRange> ranges) {
+  constexpr int kMostExchanges = 12;
+  constexpr double kNobodySees = 1e-9;  // px; below, double's rounding decides
+  constexpr double kWorthAPoint = 1.0005;
+  MinimaxFit fit{start, 0, {}};
+  std::vector<Correspondence> set;
+  double sharpness = kBlunt;
+  for (int exchange = 0; exchange <= kMostExchanges; ++exchange) {
+    const Scorer scorer(source, &fit.model, nullptr, domain, target_reach_rad);
+    const std::vector<Point> points = scored_points(scorer);
+    if (points.empty() || points.front().error < kNobodySees) break;
+    bool more = set.empty() && add(scorer, few_of(points), 0.0, set);
+    const double at_least = kWorthAPoint * largest_error(fit.model, set);
+    more = add(scorer, points, at_least, set) || more;
+    more = add(scorer, hilltops(scorer, points), at_least, set) || more;
+    if (!more) break;
+    minimise_on(set, ranges, sharpness, fit);
+    sharpness = kSharp;
+  }
+  return fit;
+}
+
+}  // namespace fca::internal

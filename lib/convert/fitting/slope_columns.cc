@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slope_columns.h"
+
+#include "../kernels/multiversioned.h"
+#include "../kernels/with_kernel.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace fca::internal {
+
+namespace {
+
+/// A few samples, each figure in an array of its own: short enough for the stack, and of a length that the compiler knows.
+constexpr std::size_t kBlock = 16;
+using Lane = std::array<double, kBlock>;
+
+struct Block {
+  Lane x, y, z, u, v, root;
+
+  /// The last sample fills what is left.
+  Block(std::span<const Correspondence> samples, std::span<const double> roots, std::size_t begin) {
+    for (std::size_t k = 0; k < kBlock; ++k) {
+      const std::size_t at = std::min(begin + k, samples.size() - 1);
+      const Correspondence& s = samples[at];
+      x[k] = s.ray[0];
+      y[k] = s.ray[1];
+      z[k] = s.ray[2];
+      u[k] = s.pixel[0];
+      v[k] = s.pixel[1];
+      root[k] = roots[at];
+    }
+  }
+};
+
+/// A length that the compiler knows is copied in a few instructions.
+void copy(const Lane& lane, std::size_t count, double* to) {
+  if (count == kBlock) {
+    std::memcpy(to, lane.data(), sizeof lane);
+  } else {
+    std::copy_n(lane.begin(), count, to);
+  }
+}
+
+template <class M>
+bool columns_of(const double* p, std::span<const Correspondence> samples, const LinearisedColumns& out) {
+  constexpr std::size_t kCount = kParameterCount<M>;
+  std::array<double, kCount> parameters;
+  std::copy_n(p, kCount, parameters.begin());
+  for (std::size_t begin = 0; begin < samples.size(); begin += kBlock) {
+    const Block block(samples, out.roots, begin);
+    std::array<Lane, kCount + 1> along_u;
+    std::array<Lane, kCount + 1> along_v;
+    double missing = 0.0;
+    for (std::size_t k = 0; k < kBlock; ++k) {
+      const double ray[3] = {block.x[k], block.y[k], block.z[k]};
+      double pixel[2] = {block.u[k], block.v[k]};  // near which the model images the ray
+      double du[kCount] = {};
+      double dv[kCount] = {};
+      missing += M::formula_and_slopes(parameters.data(), ray, pixel, du, dv) ? 0.0 : 1.0;
+      for (std::size_t i = 0; i < kCount; ++i) {
+        along_u[i][k] = block.root[k] * du[i];
+        along_v[i][k] = block.root[k] * dv[i];
+      }
+      along_u[kCount][k] = block.root[k] * (pixel[0] - block.u[k]);
+      along_v[kCount][k] = block.root[k] * (pixel[1] - block.v[k]);
+    }
+    if (missing > 0.0) return false;
+    const std::size_t count = std::min(kBlock, samples.size() - begin);
+    for (std::size_t i = 0; i <= kCount; ++i) {
+      copy(along_u[i], count, out.column(i) + begin);
+      copy(along_v[i], count, out.column(i) + samples.size() + begin);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+FCA_MULTIVERSIONED bool slope_columns(const ListedModel& model, const double* p, std::span<const Correspondence> samples,
+                                      const LinearisedColumns& out) {
+  bool valid = false;
+  with_kernel(model, [&]<class M>(std::type_identity<M> /*model*/) {
+    if constexpr (HasSlopes<M>) valid = columns_of<M>(p, samples, out);
+  });
+  return valid;
+}
+
+}  // namespace fca::internal
