@@ -11,15 +11,7 @@ namespace fca::internal {
 /// Of the model that has a skew besides (skewed.h); the id itself of any other.
 [[nodiscard]] std::string_view id_without_skew(std::string_view id);
 
-/// The same camera in a model that contains it, in closed form; nothing where a fit is needed. Besides the model itself, and
-/// any chain of these:
-///
-///   pinhole                        -> radtan, ucm, ocamcalib (a0 alone), and back where the rest is zero; <- eucm with alpha =
-///   0 radtan                         -> rational, and back where k4 = k5 = k6 = 0 radtan with k3 = 0            <-> mei with
-///   xi = 0 ucm                            -> eucm (beta = 1), ds (xi = 0), mei without distortion, and back where that is so
-///   ds with alpha = 0, xi > 0      -> ucm
-///   ucm with alpha = 1/2           -> ocamcalib (a0, a2)
-///   kb4 with k2 = k3 = k4 = 0     <-> woodscape with k2 = k4 = 0
+/// The same camera in another model, by closed forms (lib/models/exact_steps.h); nothing where a fit is needed.
 [[nodiscard]] std::optional<CameraModel> convert_exactly(const CameraModel& source, std::string_view target_id);
 
 /// A camera of the outer model (which contains the inner one's) that is that camera: convert_exactly or, where only a limit of

@@ -2,68 +2,27 @@
 #include <fca/code.h>
 #include <fca/rig/image_change.h>
 
-#include <fca/models/ocamcalib_parameters.h>
-
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <type_traits>
 
 namespace fca {
 
 namespace {
 
 template <class M>
-using Values = std::array<double, kParameterCount<M>>;
-
-/// Models whose pixels are (fx m_x + cx, fy m_y + cy), whatever m is.
-template <std::derived_from<internal::FocalLengthsFirst> M>
-Values<M> mapped(std::type_identity<M> /*model*/, Values<M> p, const PixelMap& map) {
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    p[axis] *= map.scale[axis];
-    p[2 + axis] = map.scale[axis] * p[2 + axis] + map.shift[axis];
+void map_pixels(double* p, const PixelMap& map) {
+  if constexpr (std::derived_from<M, internal::FocalLengthsFirst>) {  // (fx m_x + cx, fy m_y + cy), whatever m is
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      p[axis] *= map.scale[axis];
+      p[2 + axis] = map.scale[axis] * p[2 + axis] + map.shift[axis];
+    }
+  } else if constexpr (kIsSkewed<M>) {
+    map_pixels<typename M::Straight>(p, map);
+    p[M::kSkew] *= map.scale[0];
+  } else {
+    M::map_pixels(p, map);
   }
-  return p;
-}
-
-/// rho grows with u, so that f(rho) / rho, the angle, stays: a'_k = a_k s^(1 - k), s along u. v takes the rest: c and d.
-Values<Ocamcalib> mapped(std::type_identity<Ocamcalib> /*model*/, const Values<Ocamcalib>& before, const PixelMap& map) {
-  Intrinsics<Ocamcalib> intrinsics{before};
-  CameraModel model = intrinsics;
-  const auto scale_parameter = [&model](ParameterId id, double factor) {
-    set_parameter(model, id, factor * parameter(model, id).value());
-  };
-  const auto [scale_u, scale_v] = map.scale;
-  const Pixel centre = map(principal_point(model));
-  set_parameter(model, "cx", centre[0]);
-  set_parameter(model, "cy", centre[1]);
-  scale_parameter("c", scale_v / scale_u);
-  scale_parameter("d", scale_v / scale_u);
-  double factor = scale_u;
-  for (const ParameterId coefficient : kOcamcalibCoefficients) {
-    scale_parameter(coefficient, factor);
-    factor /= scale_u;
-  }
-  return std::get<Intrinsics<Ocamcalib>>(model).values;
-}
-
-/// rho is in pixels of u; the ratio of v to u has a parameter of its own.
-Values<Woodscape> mapped(std::type_identity<Woodscape> /*model*/, const Values<Woodscape>& before, const PixelMap& map) {
-  CameraModel model = Intrinsics<Woodscape>{before};
-  const Pixel centre = map(principal_point(model));
-  for (const ParameterId id : ParameterIds{"k1", "k2", "k3", "k4"})
-    set_parameter(model, id, map.scale[0] * parameter(model, id).value());
-  set_parameter(model, "aspect_ratio", map.scale[1] / map.scale[0] * parameter(model, "aspect_ratio").value());
-  set_parameter(model, "cx", centre[0]);
-  set_parameter(model, "cy", centre[1]);
-  return std::get<Intrinsics<Woodscape>>(model).values;
-}
-
-template <class M>
-Values<Skewed<M>> mapped(std::type_identity<Skewed<M>> /*model*/, Values<Skewed<M>> p, const PixelMap& map) {
-  std::ranges::copy(mapped(std::type_identity<M>(), Skewed<M>::straight(p), map), p.begin());
-  p[Skewed<M>::kSkew] *= map.scale[0];
-  return p;
 }
 
 /// Whole images scaled from one size to another: edges stay edges.
@@ -84,8 +43,9 @@ bool holds(const ImageSize& image, const ImageRegion& region) {
 
 CameraModel with_pixels(const CameraModel& model, const PixelMap& map) {
   return std::visit(
-      [&map]<class M>(const Intrinsics<M>& intrinsics) -> CameraModel {
-        return Intrinsics<M>{mapped(std::type_identity<M>(), intrinsics.values, map)};
+      [&map]<class M>(Intrinsics<M> intrinsics) -> CameraModel {
+        map_pixels<M>(intrinsics.values.data(), map);
+        return intrinsics;
       },
       model);
 }

@@ -287,18 +287,21 @@ class Bounder {
   }
 
   [[nodiscard]] static Form form_of(const CameraModel& model, const AngleSeries& angle) {
-    if constexpr (N == kTiltedHarmonics) {
-      const auto* tilted = std::get_if<Intrinsics<Opencv14>>(&model);
-      if (tilted != nullptr && is_tilted(*tilted)) {
-        Form form;
-        polar_form(*tilted, angle, form);
-        return form;
-      }
-    }
-    PolarSeries form;
-    std::visit([&](const auto& m) { polar_form(m, angle, form); }, model);
-    if constexpr (N == kHarmonics) return form;
-    return widened<N>(form);
+    return std::visit(
+        [&]<class M>(const Intrinsics<M>& m) -> Form {
+          const double* p = m.values.data();
+          if constexpr (requires(Form form) { M::polar_form(p, angle, form); }) {
+            if (N == kHarmonics || is_tilted(m)) {
+              Form form;
+              M::polar_form(p, angle, form);
+              return form;
+            }
+          }
+          PolarSeries form;
+          M::polar_form(p, angle, form);
+          return widened<N>(form);
+        },
+        model);
   }
 
   [[nodiscard]] static Form difference(const Form& a, const Form& b) {

@@ -11,7 +11,7 @@
 // A tilted image plane (opencv14) divides by 1 + w(angle, phi), small: the series 1 - w + w^2 - w^3 leaves a rest below
 // |w|^4 / (1 - |w|), and makes harmonics up to 8 phi of it.
 //
-// A model of the list without polar_form() is one whose conversions have no bound.
+// A model of the list without polar_form() (lib/models/<id>/polar.cc) is one whose conversions have no bound.
 #pragma once
 
 #include "series.h"
@@ -19,16 +19,12 @@
 #include <fca/models/camera_model.h>
 
 #include <array>
-#include <type_traits>
+#include <cstddef>
 
 namespace fca::internal {
 
-/// The harmonics, in this order: 1, cos phi, sin phi, cos 2phi, sin 2phi, ...
-inline constexpr std::size_t kHarmonics = 5;
-/// n of cos n phi or sin n phi.
+/// n of cos n phi or sin n phi, the harmonics in the order of kHarmonics.
 constexpr std::size_t frequency_of(std::size_t harmonic) { return (harmonic + 1) / 2; }
-/// Those of a tilted image plane.
-inline constexpr std::size_t kTiltedHarmonics = 17;
 
 /// Both components of a pixel, one series per harmonic; those that are not `used` are 0.
 template <std::size_t N>
@@ -42,47 +38,20 @@ struct PolarSeriesOf {
     used[component][harmonic] = true;
   }
 };
-using PolarSeries = PolarSeriesOf<kHarmonics>;
-
-/// centre + A (cos phi, sin phi) R, A row by row.
-void set_radial(PolarSeries& form, const std::array<double, 2>& centre, const std::array<double, 4>& a, const Series& radius);
-
-/// One overload per model: its formula with the angle as the variable.
-void polar_form(const Intrinsics<Pinhole>& model, const AngleSeries& angle, PolarSeries& form);
-void polar_form(const Intrinsics<Radtan>& model, const AngleSeries& angle, PolarSeries& form);
-void polar_form(const Intrinsics<Rational>& model, const AngleSeries& angle, PolarSeries& form);
-void polar_form(const Intrinsics<Kb4>& model, const AngleSeries& angle, PolarSeries& form);
-void polar_form(const Intrinsics<Ucm>& model, const AngleSeries& angle, PolarSeries& form);
-void polar_form(const Intrinsics<Eucm>& model, const AngleSeries& angle, PolarSeries& form);
-void polar_form(const Intrinsics<Ds>& model, const AngleSeries& angle, PolarSeries& form);
-void polar_form(const Intrinsics<Mei>& model, const AngleSeries& angle, PolarSeries& form);
-void polar_form(const Intrinsics<Fov>& model, const AngleSeries& angle, PolarSeries& form);
-void polar_form(const Intrinsics<Ocamcalib>& model, const AngleSeries& angle, PolarSeries& form);
-void polar_form(const Intrinsics<Woodscape>& model, const AngleSeries& angle, PolarSeries& form);
-/// Without its tilt: that of the plane.
-void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, PolarSeries& form);
-/// With it.
-void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, PolarSeriesOf<kTiltedHarmonics>& form);
-
-/// Moves the column by `skew_px` times how far the row is from `centre_v`, over `focal_v`.
-void add_skew(double skew_px, double focal_v, double centre_v, PolarSeries& form);
-
 template <class M>
-void polar_form(const Intrinsics<Skewed<M>>& model, const AngleSeries& angle, PolarSeries& form) {
-  polar_form(Intrinsics<M>{Skewed<M>::straight(model.values)}, angle, form);
-  add_skew(model.values[Skewed<M>::kSkew], model.values[1], model.values[3], form);
-}
+concept HasPolarForm = requires(const double* p, const AngleSeries& angle, PolarSeries& form) {
+  M::polar_form(p, angle, form);
+};
 
-/// True if the image plane is tilted.
+/// Has the camera a form with the harmonics of a tilted image plane only?
 template <class M>
 bool is_tilted(const Intrinsics<M>& model) {
-  if constexpr (std::is_same_v<M, Opencv14>) return M::is_tilted(model.values.data());
+  if constexpr (requires(const double* p, const AngleSeries& angle, TiltedPolarSeries& form) {
+                  M::polar_form(p, angle, form);
+                }) {
+    return M::is_tilted(model.values.data());
+  }
   return false;
 }
-
-template <class M>
-concept HasPolarForm = requires(const Intrinsics<M>& model, const AngleSeries& angle, PolarSeries& form) {
-  polar_form(model, angle, form);
-};
 
 }  // namespace fca::internal

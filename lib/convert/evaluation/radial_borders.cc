@@ -20,7 +20,7 @@ bool is_radial(const CameraModel& model) {
       []<class M>(const Intrinsics<M>& m) {
         if constexpr (HasPolarForm<M>) {
           PolarSeries form;
-          polar_form(m, angle_series({0.1, 0.0}), form);
+          M::polar_form(m.values.data(), angle_series({0.1, 0.0}), form);
           return std::ranges::none_of(form.used,
                                       [](const auto& used) { return used[kFirstOfTwice] || used[kFirstOfTwice + 1]; });
         } else {

@@ -26,6 +26,7 @@ namespace fca {
 struct Ds : internal::FocalLengthsFirst, internal::RayMap<Ds> {
   static constexpr std::string_view kId = "ds";
   static constexpr std::string_view kTitle = "Double Sphere";
+  static constexpr std::string_view kContains = "ucm";
   static constexpr std::array<std::string_view, 3> kAliases = {"double-sphere", "doublesphere", "ds-none"};
   static constexpr std::array kParameters = {
       common_parameter::kFx,
@@ -106,6 +107,10 @@ struct Ds : internal::FocalLengthsFirst, internal::RayMap<Ds> {
   }
 
   static std::array<double, 2> central_focal_lengths(const double* p) { return {p[0] / (1.0 + p[5]), p[1] / (1.0 + p[5])}; }
+
+  // In lib/models/ds.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form);
+  static std::span<const internal::ExactStep> exact_steps();
 
  private:
   friend struct internal::RayMap<Ds>;

@@ -80,6 +80,7 @@ struct UnifiedPlane {
 struct Eucm : internal::FocalLengthsFirst, internal::RayMap<Eucm> {
   static constexpr std::string_view kId = "eucm";
   static constexpr std::string_view kTitle = "Enhanced Unified Camera Model";
+  static constexpr std::string_view kContains = "ucm";
   static constexpr std::array<std::string_view, 3> kAliases = {"eucm-none", "extended-unified", "enhanced-unified"};
   static constexpr std::array kParameters = {
       common_parameter::kFx,
@@ -113,6 +114,10 @@ struct Eucm : internal::FocalLengthsFirst, internal::RayMap<Eucm> {
     p[5] = 1.0;  // as UCM
     p[4] = internal::UnifiedPlane::linear_alpha(samples, p, p[5]);
   }
+
+  // In lib/models/eucm.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form);
+  static std::span<const internal::ExactStep> exact_steps();
 
  private:
   /// With m the point on the normalised plane, r = |(x, y)| and w = r / |m| - z = alpha (d - z), the definition of d squared is

@@ -108,6 +108,10 @@ struct Fov : internal::FocalLengthsFirst {
     return {p[0] * central_factor(p[4]), p[1] * central_factor(p[4])};
   }
 
+  // In lib/models/fov.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form);
+  static std::span<const internal::ExactStep> exact_steps();
+
  private:
   /// r_d per angle at the centre.
   static double central_factor(double w) { return 2.0 * std::tan(0.5 * w) / w; }

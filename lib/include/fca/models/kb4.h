@@ -82,6 +82,9 @@ struct Kb4 : internal::FocalLengthsFirst, internal::RayMap<Kb4> {
     fit.solve(p + 4);
   }
 
+  // In lib/models/kb4.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form);
+
  private:
   friend struct internal::RayMap<Kb4>;
   template <bool kWithinDomain, class T>

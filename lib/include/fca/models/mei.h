@@ -21,6 +21,7 @@ namespace fca {
 struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
   static constexpr std::string_view kId = "mei";
   static constexpr std::string_view kTitle = "Mei (unified model with radial-tangential distortion)";
+  static constexpr std::string_view kContains = "ucm";
   static constexpr std::array<std::string_view, 4> kAliases = {"omni", "omni-radtan", "omni-none", "omnidir"};
   /// A parabola mirror (ucm with alpha = 1) is the limit xi -> infinity: with focal lengths f at the centre, a camera with
   /// this xi is less than f / xi away from it. Programs find the height of a pixel's ray as a difference of two numbers as
@@ -148,6 +149,10 @@ struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
   }
 
   static std::array<double, 2> central_focal_lengths(const double* p) { return {p[0] / (1.0 + p[4]), p[1] / (1.0 + p[4])}; }
+
+  // In lib/models/mei.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form);
+  static std::span<const internal::ExactStep> exact_steps();
 
  private:
   friend struct internal::RayMap<Mei>;

@@ -18,6 +18,21 @@
 
 namespace fca {
 
+struct PixelMap;
+
+namespace internal {
+struct AngleSeries;
+struct ExactStep;
+template <std::size_t N>
+struct PolarSeriesOf;
+/// Of a pixel as a trigonometric polynomial of the azimuth: 1, cos phi, sin phi, cos 2phi, sin 2phi.
+inline constexpr std::size_t kHarmonics = 5;
+using PolarSeries = PolarSeriesOf<kHarmonics>;
+/// Those of a tilted image plane, up to 8 phi.
+inline constexpr std::size_t kTiltedHarmonics = 17;
+using TiltedPolarSeries = PolarSeriesOf<kTiltedHarmonics>;
+}  // namespace internal
+
 /// What a parameter belongs to: the groups a fit may hold fixed, and the headings under which they are shown.
 enum class ParameterGroup { kFocalLength, kPrincipalPoint, kLens };
 
@@ -103,6 +118,12 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///                              another model, so no search tries it.
 ///   kLeastDegree, kHigherTerms (optional) of a polynomial of any degree: the lowest that a fit has, and the names of the
 ///                              coefficients beyond it, held in fits; each raises the degree by one.
+///   kContains                  (optional) the id of the largest model of the list of which it describes every camera.
+///   polar_form(p, angle, form) (optional) the formula as the bound needs it (lib/convert/bound/polar.h). Without it, no error
+///                              of the model has a bound.
+///   exact_steps()              (optional) closed forms between it and models before it in the list
+///                              (lib/models/exact_steps.h).
+///   map_pixels(p, map)         (but of FocalLengthsFirst) the parameters whose pixels are the map's of p's.
 ///
 /// Nothing is assumed of the order or the names of the parameters.
 template <class M>

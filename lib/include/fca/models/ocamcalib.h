@@ -37,6 +37,7 @@ namespace fca {
 struct Ocamcalib : internal::RayMap<Ocamcalib> {
   static constexpr std::string_view kId = "ocamcalib";
   static constexpr std::string_view kTitle = "OCamCalib (Scaramuzza's polynomial)";
+  static constexpr std::string_view kContains = "pinhole";
   static constexpr std::array<std::string_view, 4> kAliases = {"ocam", "scaramuzza", "omnidirectional-polynomial", "occ"};
   static constexpr double kInfinity = common_parameter::kInfinity;
   static constexpr std::array kParameters = {common_parameter::kCx,
@@ -154,6 +155,11 @@ struct Ocamcalib : internal::RayMap<Ocamcalib> {
     }
     for (std::size_t k = 2; k < 5; ++k) p[kA + k] = -g[k - 2] * std::pow(focal, 1.0 - static_cast<double>(k));
   }
+
+  // In lib/models/ocamcalib.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form);
+  static std::span<const internal::ExactStep> exact_steps();
+  static void map_pixels(double* p, const PixelMap& map);
 
  private:
   friend struct internal::RayMap<Ocamcalib>;

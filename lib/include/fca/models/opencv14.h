@@ -154,6 +154,7 @@ struct Tilt {
 struct Opencv14 : internal::FocalLengthsFirst, internal::RayMap<Opencv14> {
   static constexpr std::string_view kId = "opencv14";
   static constexpr std::string_view kTitle = "OpenCV's model with 14 coefficients (thin prism, tilt)";
+  static constexpr std::string_view kContains = "rational";
   static constexpr std::array<std::string_view, 4> kAliases = {"opencv12", "thin-prism", "rational-thin-prism", "tilted"};
   /// Far more than any sensor is tilted.
   static constexpr double kLargestTilt = 1.0;  // rad
@@ -212,6 +213,13 @@ struct Opencv14 : internal::FocalLengthsFirst, internal::RayMap<Opencv14> {
     Rational::initialise(samples, centre, start, p);
     std::fill_n(p + Rational::kParameters.size(), kParameters.size() - Rational::kParameters.size(), 0.0);
   }
+
+  // In lib/models/opencv14.
+  /// Without its tilt: that of the plane.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form);
+  /// With it.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::TiltedPolarSeries& form);
+  static std::span<const internal::ExactStep> exact_steps();
 
  private:
   friend struct internal::RayMap<Opencv14>;

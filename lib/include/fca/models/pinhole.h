@@ -56,6 +56,8 @@ struct Pinhole : internal::FocalLengthsFirst {
   static void initialise(std::span<const Correspondence> /*samples*/, const LensCentre& centre, int /*start*/, double* p) {
     begin(centre, p);
   }
+  // In lib/models/pinhole.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form);
 };
 
 static_assert(CameraModelType<Pinhole>);

@@ -24,6 +24,7 @@ namespace fca {
 struct Radtan : internal::FocalLengthsFirst, internal::RayMap<Radtan> {
   static constexpr std::string_view kId = "radtan";
   static constexpr std::string_view kTitle = "Pinhole with radial-tangential distortion";
+  static constexpr std::string_view kContains = "pinhole";
   static constexpr std::array<std::string_view, 6> kAliases = {"rt",        "pinhole-radtan", "radial-tangential",
                                                                "plumb-bob", "brown",          "brown-conrady"};
   static constexpr std::array kParameters = {common_parameter::kFx,
@@ -107,6 +108,10 @@ struct Radtan : internal::FocalLengthsFirst, internal::RayMap<Radtan> {
     }
     fit.solve(p + 4);
   }
+
+  // In lib/models/radtan.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form);
+  static std::span<const internal::ExactStep> exact_steps();
 
  private:
   friend struct internal::RayMap<Radtan>;

@@ -106,6 +106,7 @@ struct RationalFactor {
 struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
   static constexpr std::string_view kId = "rational";
   static constexpr std::string_view kTitle = "OpenCV's rational model with 8 coefficients";
+  static constexpr std::string_view kContains = "radtan";
   static constexpr std::array<std::string_view, 5> kAliases = {"rational-polynomial", "pinhole-rational", "pinhole-radtan8",
                                                                "radtan8", "opencv8"};
   static constexpr std::array kParameters = {common_parameter::kFx,
@@ -224,6 +225,10 @@ struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
       std::copy(std::begin(coefficients), std::end(coefficients), p + 4);
     }
   }
+
+  // In lib/models/rational.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form);
+  static std::span<const internal::ExactStep> exact_steps();
 
  private:
   friend struct internal::RayMap<Rational>;

@@ -68,6 +68,7 @@ struct Skewed : internal::RayMap<Skewed<M>>, internal::StartsOf<M> {
   using Straight = M;
   static constexpr std::string_view kId = SkewedName<M>::kId;
   static constexpr std::string_view kTitle = SkewedName<M>::kTitle;
+  static constexpr std::string_view kContains = M::kId;
   static constexpr std::array<std::string_view, 0> kAliases = {};
   static constexpr std::size_t kSkew = kParameterCount<M>;  ///< Its place.
   static constexpr std::array kParameters = [] {
@@ -101,6 +102,9 @@ struct Skewed : internal::RayMap<Skewed<M>>, internal::StartsOf<M> {
     M::initialise(samples, centre, start, p);
     p[kSkew] = 0.0;
   }
+
+  // In lib/models/skewed.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form);
 
  private:
   friend struct internal::RayMap<Skewed>;

@@ -18,6 +18,7 @@ namespace fca {
 struct Ucm : internal::FocalLengthsFirst, internal::RayMap<Ucm> {
   static constexpr std::string_view kId = "ucm";
   static constexpr std::string_view kTitle = "Unified Camera Model";
+  static constexpr std::string_view kContains = "pinhole";
   static constexpr std::array<std::string_view, 2> kAliases = {"unified", "unified-camera-model"};
   static constexpr std::array kParameters = {common_parameter::kFx, common_parameter::kFy, common_parameter::kCx,
                                              common_parameter::kCy, Parameter{"alpha", "", 0.0, 1.0, ParameterGroup::kLens}};
@@ -43,6 +44,10 @@ struct Ucm : internal::FocalLengthsFirst, internal::RayMap<Ucm> {
     begin(centre, p);
     p[4] = internal::UnifiedPlane::linear_alpha(samples, p, 1.0);
   }
+
+  // In lib/models/ucm.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form);
+  static std::span<const internal::ExactStep> exact_steps();
 
  private:
   friend struct internal::RayMap<Ucm>;

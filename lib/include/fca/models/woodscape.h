@@ -91,6 +91,11 @@ struct Woodscape : internal::RayMap<Woodscape> {
     fit.solve(p + 1);
   }
 
+  // In lib/models/woodscape.
+  static void polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form);
+  static std::span<const internal::ExactStep> exact_steps();
+  static void map_pixels(double* p, const PixelMap& map);
+
  private:
   friend struct internal::RayMap<Woodscape>;
   template <bool kWithinDomain, class T>

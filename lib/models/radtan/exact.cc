@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/models/radtan.h>
+
+#include "../exact_steps.h"
+
+#include <fca/models/pinhole.h>
+
+#include <array>
+
+namespace fca {
+
+std::span<const internal::ExactStep> Radtan::exact_steps() {
+  static constexpr std::array kSteps = {
+      internal::exact_step<Pinhole, Radtan, internal::widened<Pinhole, Radtan>>(),
+      internal::exact_step<Radtan, Pinhole, internal::narrowed<Radtan, Pinhole>>(),
+  };
+  return kSteps;
+}
+
+}  // namespace fca

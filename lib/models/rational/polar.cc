@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/models/rational.h>
+
+#include "../../convert/bound/polar_terms.h"
+
+namespace fca {
+
+void Rational::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
+  using namespace internal;
+  const Series r = angle.sine / angle.cosine;
+  const Series r2 = r * r;
+  set_focal(form, p,
+            r * polynomial(std::array{1.0, p[4], p[5], p[8]}, r2) / polynomial(std::array{1.0, p[9], p[10], p[11]}, r2));
+  add_tangential(form, p, p[6], p[7], r2);
+}
+
+}  // namespace fca

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../../convert/kernels/rays.h"
+#include "../eucm/kernels.h"
+
+#include <fca/models/ucm.h>
+
+namespace fca::internal {
+
+template <>
+struct RayKernel<Ucm> : EucmRays {
+  RayKernel(const double* p, double /*lens*/) : EucmRays(p, 1.0) {}
+};
+
+}  // namespace fca::internal
