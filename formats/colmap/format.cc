@@ -37,6 +37,10 @@ constexpr std::array kModels = {
     StoredModel{"kb4", "OPENCV_FISHEYE", true, kReadBy, {}},
     StoredModel{"fov", "FOV", true, kReadBy, {}},
     StoredModel{.model = "eucm", .file_name = "EUCM", .read_by = kReadBy, .ranges = {}, .since = "4.1"},
+    StoredModel{.model = "division", .file_name = "DIVISION", .read_by = kReadBy, .ranges = {}, .since = "4.0"},
+    StoredModel{"thin-prism-fisheye", "THIN_PRISM_FISHEYE", true, kReadBy, {}},
+    StoredModel{
+        .model = "fisheye624", .file_name = "RAD_TAN_THIN_PRISM_FISHEYE", .read_by = kReadBy, .ranges = {}, .since = "3.11"},
 };
 constexpr std::array kOwnFacts = {OwnFact{"ids of cameras"}};
 

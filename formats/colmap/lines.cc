@@ -22,7 +22,9 @@ constexpr std::array<ParameterId, 8> kRational = {"k1", "k2", "p1", "p2", "k3", 
 constexpr std::array<ParameterId, 4> kFisheye = {"k1", "k2", "k3", "k4"};
 constexpr std::array<ParameterId, 1> kOmega = {"w"};
 constexpr std::array<ParameterId, 2> kAlphaBeta = {"alpha", "beta"};
-constexpr std::array<ParameterId, 1> kBeta = {"beta"};
+constexpr std::array<ParameterId, 1> kDivision = {"k"};
+constexpr std::array<ParameterId, 8> kThinPrism = {"k1", "k2", "p1", "p2", "k3", "k4", "sx1", "sy1"};
+constexpr std::array<ParameterId, 12> kAria = {"k0", "k1", "k2", "k3", "k4", "k5", "p0", "p1", "s0", "s1", "s2", "s3"};
 
 /// All models up to COLMAP 4.2. Of those that are one of ours the first is written.
 constexpr std::array kModels = {
@@ -39,30 +41,20 @@ constexpr std::array kModels = {
     Model{"SIMPLE_FISHEYE", "kb4", true},
     Model{"FOV", "fov", false, kOmega},
     Model{"EUCM", "eucm", false, kAlphaBeta},
-    Model{.name = "THIN_PRISM_FISHEYE", .why_not = Code::kColmapThinPrism},
-    Model{.name = "RAD_TAN_THIN_PRISM_FISHEYE", .why_not = Code::kColmapThinPrism},
-    Model{.name = "DIVISION", .model = "eucm", .coefficients = kBeta, .division = true},
-    Model{.name = "SIMPLE_DIVISION", .model = "eucm", .one_focal_length = true, .coefficients = kBeta, .division = true},
+    Model{"THIN_PRISM_FISHEYE", "thin-prism-fisheye", false, kThinPrism},
+    Model{"RAD_TAN_THIN_PRISM_FISHEYE", "fisheye624", false, kAria},
+    Model{"DIVISION", "division", false, kDivision},
+    Model{"SIMPLE_DIVISION", "division", true, kDivision},
     Model{.name = "EQUIRECTANGULAR", .why_not = Code::kColmapEquirectangular},
 };
 
 constexpr std::array<ParameterId, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
 
-// A point at radius r of the plane is one at 2 r / (1 + sqrt(1 - 4 k r^2)) of a division model: eucm with these.
-constexpr double kDivisionAlpha = 0.5;
-constexpr double kDivisionBeta = -4.0;
-
 bool is_centre(const ParameterId& id) { return id == ParameterId("cx") || id == ParameterId("cy"); }
 
 /// Our parameter from the number of a line, and back.
-double parameter_of(const Model& model, const ParameterId& id, double number) {
-  if (is_centre(id)) return from_file(number);
-  return model.division && id == ParameterId("beta") ? kDivisionBeta * number : number;
-}
-double number_of(const Model& model, const ParameterId& id, double parameter) {
-  if (is_centre(id)) return to_file(parameter);
-  return model.division && id == ParameterId("beta") ? parameter / kDivisionBeta : parameter;
-}
+double parameter_of(const ParameterId& id, double number) { return is_centre(id) ? from_file(number) : number; }
+double number_of(const ParameterId& id, double parameter) { return is_centre(id) ? to_file(parameter) : parameter; }
 
 }  // namespace
 
@@ -95,8 +87,7 @@ std::string parameter_names(const Model& model) {
   std::string names;
   for (std::size_t i = 0; i < model.parameters(); ++i) {
     const std::vector<ParameterId> ids = set_by(model, i);
-    const bool is_k = model.division && ids.front() == ParameterId("beta");
-    names += (i > 0 ? " " : "") + (ids.size() > 1 ? "f" : is_k ? "k" : std::string(ids.front().name()));
+    names += (i > 0 ? " " : "") + (ids.size() > 1 ? "f" : std::string(ids.front().name()));
   }
   return names;
 }
@@ -112,12 +103,7 @@ std::optional<std::vector<double>> parameters_in(const Model& model, const Camer
       if (parameter(camera.model, id) != value) return std::nullopt;
       there.push_back(id);
     }
-    values.push_back(number_of(model, ids.front(), value));
-  }
-  if (model.division) {
-    constexpr ParameterId kAlpha = "alpha";
-    if (parameter(camera.model, kAlpha) != kDivisionAlpha) return std::nullopt;
-    there.push_back(kAlpha);
+    values.push_back(number_of(ids.front(), value));
   }
   for (const Parameter& row : model_info(camera.model).parameters) {
     const ParameterId id(row);
@@ -140,21 +126,15 @@ const Model* read_model(const text::Node& word, fields::Reader& reader) {
 }
 
 bool read_lens(std::span<const text::Node> numbers, const Model& model, Camera& camera, fields::Reader& reader) {
-  const std::optional<double> last = text::parse_real(numbers.back().value);
-  // A lens of angle 0, or with k = 0, bends nothing.
-  const bool straight = (model.model == "fov" || model.division) && last == 0.0;
-  if (model.division && last > 0.0) {
-    reader.say(numbers.back(), Code::kColmapModelNotRead, {model.name, Message{Code::kColmapDivision}});
-    return false;
-  }
+  // A lens of angle 0 bends nothing.
+  const bool straight = model.model == "fov" && text::parse_real(numbers.back().value) == 0.0;
   camera.model = *make_model(straight ? "pinhole" : model.model);
-  if (model.division && !straight) set_parameter(camera.model, "alpha", kDivisionAlpha);
   bool good = true;
   for (std::size_t i = 0; i < numbers.size() - (straight ? 1 : 0); ++i) {
     for (const ParameterId id : set_by(model, i)) {
       const std::optional<double> value = reader.real(numbers[i], id.name());
       if (!value) return false;
-      good = good && reader.parameter(numbers[i], camera.name, id, parameter_of(model, id, *value), camera.model);
+      good = good && reader.parameter(numbers[i], camera.name, id, parameter_of(id, *value), camera.model);
     }
   }
   return good;

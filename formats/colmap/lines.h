@@ -24,7 +24,6 @@ struct Model {
   bool one_focal_length = false;                   ///< f alone: fx = fy.
   std::span<const ParameterId> coefficients = {};  ///< Further parameters of our model are 0.
   Code why_not = {};                               ///< Why there is none of ours, a clause.
-  bool division = false;                           ///< Its k is our eucm's beta = -4 k with alpha = 1/2.
 
   /// How many it has, if it is one of ours.
   [[nodiscard]] constexpr std::size_t parameters() const { return (one_focal_length ? 3 : 4) + coefficients.size(); }

@@ -50,6 +50,25 @@ Pixel fisheye(const Numbers& c, double u, double v) {
   return {scale * u * (1.0 + sum), scale * v * (1.0 + sum)};
 }
 
+/// ThinPrismFisheyeCameraModel: its terms are of the undistorted angle.
+Pixel thin_prism(const Numbers& c, double u, double v) {
+  const Pixel point = fisheye({}, u, v);
+  const auto [x, y] = point;
+  const double r2 = x * x + y * y;
+  const double radial = c[0] * r2 + c[1] * r2 * r2 + c[4] * r2 * r2 * r2 + c[5] * r2 * r2 * r2 * r2;
+  return {x + x * radial + 2.0 * c[2] * x * y + c[3] * (r2 + 2.0 * x * x) + c[6] * r2,
+          y + y * radial + 2.0 * c[3] * x * y + c[2] * (r2 + 2.0 * y * y) + c[7] * r2};
+}
+
+/// RadTanThinPrismFisheyeModel: its further terms are of the distorted point.
+Pixel rad_tan_thin_prism(const Numbers& c, double u, double v) {
+  const Pixel point = fisheye({c.begin(), c.begin() + 6}, u, v);
+  const auto [x, y] = point;
+  const double r2 = x * x + y * y;
+  const double across = 2.0 * (c[6] * x + c[7] * y);
+  return {x + across * x + r2 * c[6] + r2 * (c[8] + r2 * c[9]), y + across * y + r2 * c[7] + r2 * (c[10] + r2 * c[11])};
+}
+
 Pixel division(const Numbers& c, double u, double v) {
   const double factor = 2.0 / (1.0 + std::sqrt(1.0 - 4.0 * c[0] * (u * u + v * v)));
   return {u * factor, v * factor};
@@ -96,8 +115,8 @@ constexpr std::array kModels = {
     Model{"FOV", 2, 1, &fov},
     Model{"SIMPLE_RADIAL_FISHEYE", 1, 1, &fisheye},
     Model{"RADIAL_FISHEYE", 1, 2, &fisheye},
-    Model{"THIN_PRISM_FISHEYE", 2, 8, nullptr},
-    Model{"RAD_TAN_THIN_PRISM_FISHEYE", 2, 12, nullptr, "3.11"},
+    Model{"THIN_PRISM_FISHEYE", 2, 8, &thin_prism},
+    Model{"RAD_TAN_THIN_PRISM_FISHEYE", 2, 12, &rad_tan_thin_prism, "3.11"},
     Model{"SIMPLE_DIVISION", 1, 1, &division, "4.0"},
     Model{"DIVISION", 2, 1, &division, "4.0"},
     Model{"SIMPLE_FISHEYE", 1, 0, &fisheye, "4.0"},

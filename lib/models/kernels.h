@@ -2,6 +2,7 @@
 // All kernels: a model without any is evaluated one pixel at a time.
 #pragma once
 
+#include "division/kernels.h"
 #include "ds/kernels.h"
 #include "eucm/kernels.h"
 #include "fov/kernels.h"

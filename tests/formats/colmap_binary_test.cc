@@ -162,7 +162,7 @@ TEST(ColmapBinary, WholeNumbersAreWhatTheTextMeans) {
 }
 
 TEST(ColmapBinary, AFreshFileIsReadAsTheSameRig) {
-  for (const char* model : {"pinhole", "radtan", "kb4", "eucm", "fov"}) {
+  for (const char* model : {"pinhole", "radtan", "kb4", "eucm", "fov", "division", "thin-prism-fisheye", "fisheye624"}) {
     const Rig rig = sample_rig(model, {false, false});
     const std::string text = written_bytes(rig, nullptr, "");
     const std::string binary = written_bytes(rig, nullptr, ".bin");

@@ -74,6 +74,24 @@ TEST(Colmap, ParametersMeanWhatColmapsFormulasSay) {
   const double eucm = 1.0 / (0.6 * std::sqrt(1.1 * kR2 + 1.0) + 0.4);
   // Of radius = r / (1 + k r^2), which is what COLMAP makes of a pixel, the root r.
   const double division = (1.0 - std::sqrt(1.0 + 0.4 * kR2)) / (-0.2 * kR2);
+  const double pincushion = (1.0 - std::sqrt(1.0 - 0.4 * kR2)) / (0.2 * kR2);
+  const double x = kTheta * kX / kRadius;
+  const double y = kTheta * kY / kRadius;
+  const double q = kTheta * kTheta;
+  const double bent = 1.0 + 0.01 * q - 0.02 * q * q + 0.003 * q * q * q - 0.0004 * q * q * q * q;
+  const ByFormula thin_prism = {"THIN_PRISM_FISHEYE 640 480 500 510 321 239 0.01 -0.02 0.001 -0.002 0.003 -0.0004 0.005 -0.006",
+                                "thin-prism-fisheye",
+                                500.0 * (x * bent + 0.002 * x * y - 0.002 * (q + 2.0 * x * x) + 0.005 * q) + 320.5,
+                                510.0 * (y * bent + 0.001 * (q + 2.0 * y * y) - 0.004 * x * y - 0.006 * q) + 238.5};
+  const double further = bent + 0.00005 * std::pow(q, 5) - 0.00006 * std::pow(q, 6);
+  const double xr = x * further;
+  const double yr = y * further;
+  const double qr = xr * xr + yr * yr;
+  const ByFormula rad_tan_thin_prism = {
+      "RAD_TAN_THIN_PRISM_FISHEYE 640 480 500 510 321 239 0.01 -0.02 0.003 -0.0004 0.00005 -0.00006 0.001 -0.002 0.003 -0.004 "
+      "0.005 -0.006",
+      "fisheye624", 500.0 * (xr + 0.001 * (2.0 * xr * xr + qr) - 0.004 * xr * yr + 0.003 * qr - 0.004 * qr * qr) + 320.5,
+      510.0 * (yr - 0.002 * (2.0 * yr * yr + qr) + 0.002 * xr * yr + 0.005 * qr - 0.006 * qr * qr) + 238.5};
   const std::array rows = {
       straight("SIMPLE_PINHOLE 640 480 500 321 239", "pinhole", 500, 500, 1.0),
       straight("PINHOLE 640 480 500 510 321 239", "pinhole", 500, 510, 1.0),
@@ -91,9 +109,12 @@ TEST(Colmap, ParametersMeanWhatColmapsFormulasSay) {
       straight("FOV 640 480 500 510 321 239 0.9", "fov", 500, 510, fov),
       straight("FOV 640 480 500 510 321 239 0", "pinhole", 500, 510, 1.0),
       straight("EUCM 640 480 500 510 321 239 0.6 1.1", "eucm", 500, 510, eucm),
-      straight("SIMPLE_DIVISION 640 480 500 321 239 -0.1", "eucm", 500, 500, division),
-      straight("DIVISION 640 480 500 510 321 239 -0.1", "eucm", 500, 510, division),
-      straight("DIVISION 640 480 500 510 321 239 0", "pinhole", 500, 510, 1.0),
+      straight("SIMPLE_DIVISION 640 480 500 321 239 -0.1", "division", 500, 500, division),
+      straight("DIVISION 640 480 500 510 321 239 -0.1", "division", 500, 510, division),
+      straight("DIVISION 640 480 500 510 321 239 0.1", "division", 500, 510, pincushion),
+      straight("DIVISION 640 480 500 510 321 239 0", "division", 500, 510, 1.0),
+      thin_prism,
+      rad_tan_thin_prism,
   };
   for (const ByFormula& row : rows) {
     const std::string bytes = "1 " + std::string(row.line) + "\n";
@@ -132,7 +153,7 @@ TEST(Colmap, TheSeriesOfFovIsNoOtherLens) {
 // ---------------------------------------------------------------- written
 
 TEST(Colmap, AFreshFileIsReadAsTheSameRig) {
-  for (const char* model : {"pinhole", "radtan", "kb4", "eucm", "fov"}) {
+  for (const char* model : {"pinhole", "radtan", "kb4", "eucm", "fov", "division", "thin-prism-fisheye", "fisheye624"}) {
     const Rig rig = sample_rig(model, {true, false});
     const std::string bytes = written_bytes(rig);
     const Rig again = rig_of(bytes);
@@ -220,18 +241,18 @@ TEST(Colmap, AnEditChangesNumbersAlone) {
             with("1 SIMPLE_PINHOLE 640 480", "1 SIMPLE_PINHOLE 640 360"));
 }
 
-// A division model's k stays where alpha is a half.
+// f of SIMPLE_DIVISION is one number.
 TEST(Colmap, ADivisionModelKeepsItsLine) {
-  const std::string line = "1 DIVISION 640 480 500 510 321 239 -0.1\n";
+  const std::string line = "1 SIMPLE_DIVISION 640 480 500 321 239 -0.1\n";
   const text::Document base = document_of(line, kName);
-  const auto written = [&](ParameterId id, double value) {
+  const auto written = [&](std::initializer_list<ParameterValue> values) {
     Rig rig = rig_of(line);
-    EXPECT_TRUE(set_parameter(rig.cameras[0].model, id, value));
+    for (const auto& [id, value] : values) EXPECT_TRUE(set_parameter(rig.cameras[0].model, id, value));
     return written_bytes(rig, &base);
   };
-  EXPECT_EQ(written("fx", 505.0), with_replaced(line, "500", "505.0"));
-  EXPECT_EQ(written("beta", 0.5), with_replaced(line, "-0.1", "-0.125"));
-  EXPECT_EQ(written("alpha", 0.6), "1 EUCM 640 480 500.0 510.0 321.0 239.0 0.6 0.4\n");
+  EXPECT_EQ(written({{"fx", 505.0}, {"fy", 505.0}}), with_replaced(line, "500", "505.0"));
+  EXPECT_EQ(written({{"k", 0.25}}), with_replaced(line, "-0.1", "0.25"));
+  EXPECT_EQ(written({{"fy", 510.0}}), "1 DIVISION 640 480 500.0 510.0 321.0 239.0 -0.1\n");
 }
 
 // f of SIMPLE_RADIAL is one number, and k2 has none.

@@ -139,7 +139,7 @@ ExitCode list_models(const ListArguments& arguments, Console& console) {
   for (const ModelInfo& model : all_models()) {
     std::string names;
     for (const Parameter& p : model.parameters) names += (names.empty() ? "" : " ") + std::string(p.name);
-    constexpr std::size_t kId = 15;
+    constexpr std::size_t kId = 20;
     const std::string indent(kId, ' ');
     console.out(padded(model.id, kId) + std::string(model.title) + "\n" + indent + names + "\n");
     const std::vector<std::string> elsewhere = names_elsewhere(model.id);

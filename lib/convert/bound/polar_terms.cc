@@ -31,9 +31,12 @@ void add_tangential(PolarSeries& form, const double* p, double p1, double p2, co
   form.set(1, 4, fy * exactly(p2) * r2);
 }
 
-void add_prism(PolarSeries& form, const double* p, const Series& along_u, const Series& along_v) {
-  form.set(0, 0, form.of[0][0] + exactly(p[0]) * along_u);
-  form.set(1, 0, form.of[1][0] + exactly(p[1]) * along_v);
+void add_prism(PolarSeries& form, const double* p, const std::array<double, 2>& u, const std::array<double, 2>& v,
+               const Series& r2) {
+  constexpr std::array<double, 2> kNone = {0.0, 0.0};
+  if (u == kNone && v == kNone) return;
+  form.set(0, 0, form.of[0][0] + exactly(p[0]) * (r2 * polynomial(u, r2)));
+  form.set(1, 0, form.of[1][0] + exactly(p[1]) * (r2 * polynomial(v, r2)));
 }
 
 }  // namespace fca::internal

@@ -18,8 +18,9 @@ void set_focal(PolarSeries& form, const double* p, const Series& radius);
 
 /// Adds the tangential distortion p1, p2 of a point at distance r from the centre of the plane; r2 is its square.
 void add_tangential(PolarSeries& form, const double* p, double p1, double p2, const Series& r2);
-/// Adds a thin prism, which moves that point by (along_u, along_v).
-void add_prism(PolarSeries& form, const double* p, const Series& along_u, const Series& along_v);
+/// Adds a thin prism, which moves that point by (u[0] + u[1] r2, v[0] + v[1] r2) r2.
+void add_prism(PolarSeries& form, const double* p, const std::array<double, 2>& u, const std::array<double, 2>& v,
+               const Series& r2);
 
 /// The unified models on the unit sphere: sin / (a d + (1 - a) z).
 inline Series unified_radius(const Ball& a, const Series& d, const Series& z, const Series& sine) {

@@ -12,17 +12,21 @@ namespace fca::internal {
 
 namespace {
 
-/// Is a pixel's azimuth about the centre that of its ray, whatever the angle? Where the bound knows no form of the model,
-/// nobody does.
+/// Is a pixel's azimuth about the principal point that of its ray, whatever the angle? Unknown of a model without polar form.
 bool is_radial(const CameraModel& model) {
-  constexpr std::size_t kFirstOfTwice = 3;  // cos 2phi, sin 2phi: tangential distortion (bound/polar.h)
   return std::visit(
       []<class M>(const Intrinsics<M>& m) {
         if constexpr (HasPolarForm<M>) {
           PolarSeries form;
           M::polar_form(m.values.data(), angle_series({0.1, 0.0}), form);
-          return std::ranges::none_of(form.used,
-                                      [](const auto& used) { return used[kFirstOfTwice] || used[kFirstOfTwice + 1]; });
+          const auto moves = [](const Series& centre) {  // with the angle: a thin prism
+            return std::ranges::any_of(centre.c.begin() + 1, centre.c.end(), [](const Ball& c) { return c.mid != 0.0; });
+          };
+          constexpr std::size_t kFirstOfTwice = 3;  // cos 2phi, sin 2phi: tangential distortion (bound/polar.h)
+          for (std::size_t i = 0; i < 2; ++i) {
+            if (form.used[i][kFirstOfTwice] || form.used[i][kFirstOfTwice + 1] || moves(form.of[i][0])) return false;
+          }
+          return !is_tilted(m);
         } else {
           return false;
         }

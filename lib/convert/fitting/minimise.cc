@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "minimise.h"
 
+#include <fca/convert/fit_target.h>
+
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -120,11 +121,12 @@ Minimum minimise(const Evaluate& evaluate, const Effort& effort, std::span<doubl
   constexpr int kSmall = 6;
   constexpr int kMiddle = 9;
   constexpr int kLarge = 14;
-  assert(parameters.size() <= kLarge);
+  constexpr int kLargest = kMostParameters;
   if (parameters.size() <= kSmallest) return minimise_padded<kSmallest>(evaluate, effort, sums.cost, parameters);
   if (parameters.size() <= kSmall) return minimise_padded<kSmall>(evaluate, effort, sums.cost, parameters);
   if (parameters.size() <= kMiddle) return minimise_padded<kMiddle>(evaluate, effort, sums.cost, parameters);
-  return minimise_padded<kLarge>(evaluate, effort, sums.cost, parameters);
+  if (parameters.size() <= kLarge) return minimise_padded<kLarge>(evaluate, effort, sums.cost, parameters);
+  return minimise_padded<kLargest>(evaluate, effort, sums.cost, parameters);
 }
 
 }  // namespace fca::internal

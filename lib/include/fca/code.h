@@ -709,7 +709,6 @@ enum class Code : std::uint16_t {
   kColmapUnknownModel,
   kColmapModelNotRead,
   kColmapThinPrism,
-  kColmapDivision,
   kColmapEquirectangular,
   kColmapParameterCount,
   kColmapAfterParameters,

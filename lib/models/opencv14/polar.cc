@@ -97,12 +97,7 @@ void Opencv14::polar_form(const double* p, const internal::AngleSeries& angle, i
   using namespace internal;
   Rational::polar_form(p, angle, form);
   const Series r = angle.sine / angle.cosine;
-  const Series r2 = r * r;
-  for (const std::size_t component : {std::size_t{0}, std::size_t{1}}) {
-    const double* prism = p + 12 + 2 * component;
-    form.set(component, 0,
-             form.of[component][0] + exactly(p[component]) * (r2 * polynomial(std::array{prism[0], prism[1]}, r2)));
-  }
+  add_prism(form, p, {p[12], p[13]}, {p[14], p[15]}, r * r);
 }
 
 void Opencv14::polar_form(const double* p, const internal::AngleSeries& angle, internal::TiltedPolarSeries& form) {

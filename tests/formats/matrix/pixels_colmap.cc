@@ -24,12 +24,23 @@ struct Kind {
   std::size_t coefficients = 0;
 };
 
-const std::map<std::string, Kind> kKinds = {
-    {"SIMPLE_PINHOLE", {true, false, 0}}, {"PINHOLE", {false, false, 0}},      {"SIMPLE_RADIAL", {true, false, 1}},
-    {"RADIAL", {true, false, 2}},         {"OPENCV", {false, false, 4}},       {"FULL_OPENCV", {false, false, 8}},
-    {"OPENCV_FISHEYE", {false, true, 4}}, {"FISHEYE", {false, true, 0}},       {"SIMPLE_RADIAL_FISHEYE", {true, true, 1}},
-    {"RADIAL_FISHEYE", {true, true, 2}},  {"SIMPLE_FISHEYE", {true, true, 0}}, {"FOV", {false, false, 1}},
-    {"EUCM", {false, false, 2}},          {"DIVISION", {false, false, 1}},     {"SIMPLE_DIVISION", {true, false, 1}}};
+const std::map<std::string, Kind> kKinds = {{"SIMPLE_PINHOLE", {true, false, 0}},
+                                            {"PINHOLE", {false, false, 0}},
+                                            {"SIMPLE_RADIAL", {true, false, 1}},
+                                            {"RADIAL", {true, false, 2}},
+                                            {"OPENCV", {false, false, 4}},
+                                            {"FULL_OPENCV", {false, false, 8}},
+                                            {"OPENCV_FISHEYE", {false, true, 4}},
+                                            {"FISHEYE", {false, true, 0}},
+                                            {"SIMPLE_RADIAL_FISHEYE", {true, true, 1}},
+                                            {"RADIAL_FISHEYE", {true, true, 2}},
+                                            {"SIMPLE_FISHEYE", {true, true, 0}},
+                                            {"FOV", {false, false, 1}},
+                                            {"EUCM", {false, false, 2}},
+                                            {"DIVISION", {false, false, 1}},
+                                            {"SIMPLE_DIVISION", {true, false, 1}},
+                                            {"THIN_PRISM_FISHEYE", {false, true, 8}},
+                                            {"RAD_TAN_THIN_PRISM_FISHEYE", {false, true, 12}}};
 
 RayToPixel fov_lens(const std::vector<double>& k, double w) {
   return [k, w](const Ray& ray) -> std::optional<Pixel> {
@@ -63,10 +74,41 @@ RayToPixel division_lens(const std::vector<double>& k, double bend) {
   };
 }
 
+/// Section 17: all terms of the angle's plane, in the order k1 k2 p1 p2 k3 k4 sx1 sy1.
+Pixel thin_prism(const std::vector<double>& d, double x, double y) {
+  const double q = x * x + y * y;
+  const double bent = 1.0 + d[0] * q + d[1] * std::pow(q, 2) + d[4] * std::pow(q, 3) + d[5] * std::pow(q, 4);
+  return {x * bent + 2.0 * d[2] * x * y + d[3] * (3.0 * x * x + y * y) + d[6] * q,
+          y * bent + 2.0 * d[3] * x * y + d[2] * (x * x + 3.0 * y * y) + d[7] * q};
+}
+
+/// Section 25.1: k0 .. k5 first, then p0 p1 s0 .. s3 of what those made.
+Pixel fisheye624(const std::vector<double>& d, double x, double y) {
+  const double t = x * x + y * y;
+  double bent = 1.0;
+  for (std::size_t i = 0; i < 6; ++i) bent += d[i] * std::pow(t, static_cast<double>(i) + 1.0);
+  x *= bent;
+  y *= bent;
+  const double q = x * x + y * y;
+  return {x + d[6] * (2.0 * x * x + q) + 2.0 * d[7] * x * y + d[8] * q + d[9] * q * q,
+          y + d[7] * (2.0 * y * y + q) + 2.0 * d[6] * x * y + d[10] * q + d[11] * q * q};
+}
+
+RayToPixel prism_lens(const std::vector<double>& k, const std::vector<double>& d) {
+  return [k, d](const Ray& ray) -> std::optional<Pixel> {
+    const double r = std::hypot(ray[0], ray[1]);
+    if (r == 0.0 && !(ray[2] > 0.0)) return std::nullopt;
+    const double scale = r > 0.0 ? std::atan2(r, ray[2]) / r : 1.0 / ray[2];
+    const Pixel point = (d.size() == 8 ? thin_prism : fisheye624)(d, scale * ray[0], scale * ray[1]);
+    return Pixel{k[0] * point[0] + k[2], k[1] * point[1] + k[3]};
+  };
+}
+
 RayToPixel lens(const std::string& model, const Kind& kind, const std::vector<double>& k, const std::vector<double>& d) {
   if (model == "FOV") return fov_lens(k, d[0]);
   if (model == "EUCM") return eucm_lens(k, d[0], d[1]);
   if (model == "DIVISION" || model == "SIMPLE_DIVISION") return division_lens(k, d[0]);
+  if (model == "THIN_PRISM_FISHEYE" || model == "RAD_TAN_THIN_PRISM_FISHEYE") return prism_lens(k, d);
   return sensor_lens(k, d, kind.equidistant);
 }
 

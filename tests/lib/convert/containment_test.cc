@@ -21,8 +21,10 @@ struct Pair {
   const char* outer;
   const char* inner;
 };
-constexpr Pair kPairs[] = {{"radtan", "pinhole"}, {"rational", "radtan"}, {"ucm", "pinhole"},      {"eucm", "ucm"},
-                           {"ds", "ucm"},         {"mei", "ucm"},         {"ocamcalib", "pinhole"}};
+constexpr Pair kPairs[] = {{"radtan", "pinhole"},    {"rational", "radtan"},  {"ucm", "pinhole"},
+                           {"eucm", "ucm"},          {"ds", "ucm"},           {"mei", "ucm"},
+                           {"ocamcalib", "pinhole"}, {"division", "pinhole"}, {"thin-prism-fisheye", "kb4"},
+                           {"fisheye624", "kb4"}};
 
 struct Source {
   Camera camera;

@@ -57,11 +57,22 @@ inline CameraModel random_model(std::size_t kind) {
       return model;
     }
     case 12:
+      return Intrinsics<Division>{{f, g, cx, cy, uniform(-0.6, 0.1)}};
     case 13:
+      return Intrinsics<ThinPrismFisheye>{{f, g, cx, cy, uniform(-0.1, 0.1), uniform(-0.05, 0.05), uniform(-0.004, 0.004),
+                                           uniform(-0.004, 0.004), uniform(-0.03, 0.03), uniform(-0.01, 0.01),
+                                           uniform(-0.004, 0.004), uniform(-0.004, 0.004)}};
     case 14:
-    case 15: {
+      return Intrinsics<Fisheye624>{{f, g, cx, cy, uniform(-0.1, 0.1), uniform(-0.05, 0.05), uniform(-0.03, 0.03),
+                                     uniform(-0.01, 0.01), uniform(-0.003, 0.003), uniform(-0.001, 0.001),
+                                     uniform(-0.004, 0.004), uniform(-0.004, 0.004), uniform(-0.004, 0.004),
+                                     uniform(-0.002, 0.002), uniform(-0.004, 0.004), uniform(-0.002, 0.002)}};
+    case 15:
+    case 16:
+    case 17:
+    case 18: {
       constexpr std::array<std::size_t, 4> kStraight = {1, 2, 3, 7};
-      return with_skew(random_model(kStraight.at(kind - 12)), uniform(-4.0, 4.0)).value();
+      return with_skew(random_model(kStraight.at(kind - 15)), uniform(-4.0, 4.0)).value();
     }
     default:
       return Intrinsics<Woodscape>{

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <fca/message.h>
+#include <fca/models/division.h>
 #include <fca/models/ds.h>
 #include <fca/models/eucm.h>
+#include <fca/models/fisheye624.h>
 #include <fca/models/fov.h>
 #include <fca/models/kb4.h>
 #include <fca/models/mei.h>
@@ -15,6 +17,7 @@
 #include <fca/models/radtan.h>
 #include <fca/models/rational.h>
 #include <fca/models/skewed.h>
+#include <fca/models/thin_prism_fisheye.h>
 #include <fca/models/ucm.h>
 #include <fca/models/woodscape.h>
 
@@ -52,7 +55,8 @@ struct TypeList {
 
 /// Every model fca knows, in the order in which they are listed to people.
 using ModelList = internal::TypeList<Pinhole, Radtan, Rational, Kb4, Ucm, Eucm, Ds, Mei, Fov, Ocamcalib, Woodscape, Opencv14,
-                                     Skewed<Radtan>, Skewed<Rational>, Skewed<Opencv14>, Skewed<Kb4>, Skewed<Mei>>;
+                                     Division, ThinPrismFisheye, Fisheye624, Skewed<Radtan>, Skewed<Rational>, Skewed<Opencv14>,
+                                     Skewed<Kb4>, Skewed<Mei>>;
 
 /// Any camera model with its parameters. Compares by value.
 using CameraModel = ModelList::Variant;

@@ -179,6 +179,25 @@ void to_pixel(const T* p, const T& mx, const T& my, T* pixel) {
   pixel[1] = p[1] * my + p[3];
 }
 
+/// The ray as a point of the plane whose distance from the centre is its angle in radians; false for the ray straight back.
+template <class T>
+bool equidistant(const T* ray, T* plane) {
+  using std::atan2;
+  using std::sqrt;
+  const T r2 = ray[0] * ray[0] + ray[1] * ray[1];
+  if (!(value_of(r2) > 0.0)) {  // on the axis, where r has no derivative
+    if (!(value_of(ray[2]) > 0.0)) return false;
+    plane[0] = ray[0] / ray[2];
+    plane[1] = ray[1] / ray[2];
+    return true;
+  }
+  const T r = sqrt(r2);
+  const T scale = atan2(r, ray[2]) / r;
+  plane[0] = scale * ray[0];
+  plane[1] = scale * ray[1];
+  return true;
+}
+
 /// project() and formula() of a model with one private map<kWithinDomain>(p, ray, pixel) for both, for whom RayMap is a friend.
 template <class M>
 struct RayMap {
