@@ -5,6 +5,7 @@
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/limits.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -23,6 +24,18 @@ void collect_not_finite(const Node& node, const std::string& name, std::multiset
   }
   for (const Node& item : node.items) collect_not_finite(item, name, names);
   for (const text::Entry& entry : node.entries) collect_not_finite(entry.value, entry.key.value, names);
+}
+
+/// The first value that stands elsewhere, too; null if there is none.
+const Node* first_copy(const Node& node) {
+  if (node.copied) return &node;
+  for (const Node& item : node.items) {
+    if (const Node* copy = first_copy(item)) return copy;
+  }
+  for (const text::Entry& entry : node.entries) {
+    if (const Node* copy = first_copy(entry.value)) return copy;
+  }
+  return nullptr;
 }
 
 /// Every name that a file may state, and what it is of. Readers make them printable; rigs built in code may hold others.
@@ -71,6 +84,14 @@ bool has_no_mirror(const Rig& rig, Diagnostics& diagnostics) {
     return false;
   }
   return true;
+}
+
+bool edits_no_copies(const Written& written, const text::Document* base, Diagnostics& diagnostics) {
+  const auto is_edited = [](const Written::File& file) { return file.document.edited(); };
+  if (base == nullptr || std::ranges::none_of(written.files, is_edited)) return true;
+  const Node* copy = first_copy(base->root());
+  if (copy != nullptr) diagnostics.add(Code::kYamlCopiesNotEdited, {}, base->range(*copy));
+  return copy == nullptr;
 }
 
 bool holds_finite_numbers(const Written& written, const text::Document* base, Diagnostics& diagnostics) {

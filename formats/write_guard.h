@@ -16,6 +16,9 @@ namespace fca {
 /// False with an error if a number in what was written is not finite, where the base (may be null) does not say it already.
 [[nodiscard]] bool holds_finite_numbers(const Written& written, const text::Document* base, Diagnostics& diagnostics);
 
+/// False with an error if a file was edited whose base has values that YAML's aliases share.
+[[nodiscard]] bool edits_no_copies(const Written& written, const text::Document* base, Diagnostics& diagnostics);
+
 /// The row with these checks around its writer.
 template <const Format& kFormat>
 Format guarded() {
@@ -26,7 +29,7 @@ Format guarded() {
     // An edit keeps what its base says, right or wrong.
     if (base == nullptr && !has_no_mirror(rig, diagnostics)) return std::nullopt;
     std::optional<Written> written = kFormat.write(base, rig, options, diagnostics);
-    if (!written) return std::nullopt;
+    if (!written || !edits_no_copies(*written, base, diagnostics)) return std::nullopt;
     // What follows (the next check, losses, the names in the file) all asks what an edited file says now.
     for (Written::File& file : written->files) text::keep_edited(file.document);
     if (!holds_finite_numbers(*written, base, diagnostics)) return std::nullopt;

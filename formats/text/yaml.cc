@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The only user of yaml-cpp in the text layer. Its event handler builds our tree directly, so that anchors, aliases and depth
-// are refused before a tree exists.
+// The only user of yaml-cpp in the text layer. Its event handler builds our tree directly, so that what is too deep or too long
+// is refused before a tree exists. Aliases and merge keys become copies of what they name; OpenCV's YAML has none.
 #include "yaml.h"
 
 #include "../yaml_directive.h"
@@ -11,7 +11,10 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -67,10 +70,12 @@ std::size_t end_of_flow(std::string_view bytes, std::size_t open) {
 
 class TreeBuilder : public YAML::EventHandler {
  public:
-  TreeBuilder(const Source& source, const SpacedText& spaced, std::size_t skipped)
-      : source_(source), spaced_(spaced), skipped_(skipped) {}
+  TreeBuilder(const Source& source, const SpacedText& spaced, std::size_t skipped, bool has_anchors)
+      : source_(source), spaced_(spaced), skipped_(skipped), has_anchors_(has_anchors) {}
 
   Node take_root() { return std::move(root_); }
+  /// Where the first alias or merge key is.
+  [[nodiscard]] std::optional<std::size_t> first_copy() const { return first_copy_; }
   [[nodiscard]] bool has_content() const { return has_content_; }
   [[nodiscard]] std::size_t document_start() const { return document_start_; }
 
@@ -81,10 +86,18 @@ class TreeBuilder : public YAML::EventHandler {
     refuse_anchor(mark, anchor);
     Node node;
     node.span = {offset(mark), 0};
-    add(std::move(node));
+    add(std::move(node), anchor);
   }
 
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override { throw alias_at(offset(mark)); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const std::size_t at = offset(mark);
+    const auto found = anchored_.find(anchor);
+    if (!has_anchors_ || found == anchored_.end()) throw alias_at(at);  // of a collection that is still open
+    Node node = copy_of(found->second, at);
+    const std::size_t end = source_.bytes.find_first_of(" \t\r\n,]}", at);
+    node.span = {at, std::min(end, source_.bytes.size()) - at};
+    add(std::move(node));
+  }
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
     refuse_anchor(mark, anchor);
@@ -95,7 +108,7 @@ class TreeBuilder : public YAML::EventHandler {
     if (tag != "!" && tag != "?") node.tag = tag;
     node.span = scalar_span(offset(mark), value);
     has_content_ = true;
-    add(std::move(node));
+    add(std::move(node), anchor);
   }
 
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -114,6 +127,7 @@ class TreeBuilder : public YAML::EventHandler {
     Node node;
     Node key;
     bool has_key = false;
+    YAML::anchor_t anchor = 0;
   };
 
   [[nodiscard]] std::size_t offset(const YAML::Mark& mark) const {
@@ -122,7 +136,47 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) const {
-    if (anchor != 0) throw Refusal{{Code::kYamlAnchor}, offset(mark)};
+    if (anchor != 0 && !has_anchors_) throw Refusal{{Code::kYamlAnchor}, offset(mark)};
+  }
+
+  /// Counts and, if that is wanted, marks all nodes of what is a copy or becomes one. `at`: for the error.
+  void count_copy(Node& node, bool mark, std::size_t at) {
+    if (++copies_ > kLongestList) throw too_long(at);
+    node.copied = node.copied || mark;
+    for (Node& item : node.items) count_copy(item, mark, at);
+    for (Entry& entry : node.entries) count_copy(entry.value, mark, at);
+  }
+
+  Node copy_of(const Node& node, std::size_t at) {
+    if (!first_copy_) first_copy_ = at;
+    Node copy = node;
+    count_copy(copy, true, at);
+    return copy;
+  }
+
+  static bool is_merge_key(const Node& key) { return key.value == "<<" && !key.quoted && key.tag.empty(); }
+
+  /// PyYAML's: the entries of the mapping that is the value, or of the mappings in it, without those whose keys are there.
+  void merge(Node& mapping) {
+    const auto merges = [](const Entry& entry) { return is_merge_key(entry.key); };
+    if (!has_anchors_ || std::ranges::none_of(mapping.entries, merges)) return;
+    std::vector<Entry> merged;
+    std::vector<Entry> own;
+    for (Entry& entry : mapping.entries) (merges(entry) ? merged : own).push_back(std::move(entry));
+    mapping.entries = std::move(own);
+    std::set<std::string> keys;
+    for (const Entry& entry : mapping.entries) keys.insert(entry.key.value);
+    const auto add_entries = [&](const Node& from, std::size_t at) {
+      if (!from.is_mapping()) throw Refusal{{Code::kYamlMergeKey}, at};
+      for (const Entry& entry : from.entries) {
+        if (keys.insert(entry.key.value).second) mapping.entries.push_back({entry.key, copy_of(entry.value, at)});
+      }
+    };
+    for (const Entry& entry : merged) {
+      const std::size_t at = entry.key.span.offset;
+      if (!entry.value.is_sequence()) add_entries(entry.value, at);
+      for (const Node& item : entry.value.items) add_entries(item, at);
+    }
   }
 
   /// Plain scalars on one line stand there letter by letter; of others (several lines, block scalars) only the start is known.
@@ -142,6 +196,7 @@ class TreeBuilder : public YAML::EventHandler {
     opened.node.flow = style == YAML::EmitterStyle::Flow;
     if (tag != "?" && tag != "!") opened.node.tag = tag;
     opened.node.span = {offset(mark), 0};
+    opened.anchor = anchor;
     has_content_ = true;
     stack_.push_back(std::move(opened));
   }
@@ -154,6 +209,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   void close() {
     Node node = std::move(stack_.back().node);
+    const YAML::anchor_t anchor = stack_.back().anchor;
     stack_.pop_back();
     std::size_t end = node.span.offset;
     if (node.flow && is_bracketed(node)) {
@@ -166,10 +222,12 @@ class TreeBuilder : public YAML::EventHandler {
       }
     }
     node.span.length = end - node.span.offset;
-    add(std::move(node));
+    merge(node);
+    add(std::move(node), anchor);
   }
 
-  void add(Node node) {
+  void add(Node node, YAML::anchor_t anchor = 0) {
+    if (anchor != 0) count_copy(anchored_.insert_or_assign(anchor, node).first->second, false, node.span.offset);
     if (stack_.empty()) {
       root_ = std::move(node);
       return;
@@ -193,6 +251,7 @@ class TreeBuilder : public YAML::EventHandler {
   /// A key is a name. yaml-cpp also takes lists for keys, no key at all, and, on the last line of a file, a name without a
   /// colon.
   void refuse_odd_key(const Node& key, bool flow) const {
+    if (key.copied) throw alias_at(key.span.offset);
     if (!key.is_scalar()) throw Refusal{{Code::kYamlKeyIsNoName}, key.span.offset};
     if (flow || key.span.length == 0) return;
     const std::size_t next = source_.bytes.find_first_not_of(" \t", key.span.end());
@@ -203,6 +262,10 @@ class TreeBuilder : public YAML::EventHandler {
   const Source& source_;
   const SpacedText& spaced_;
   std::size_t skipped_;
+  bool has_anchors_;
+  std::map<YAML::anchor_t, Node> anchored_;
+  std::size_t copies_ = 0;
+  std::optional<std::size_t> first_copy_;
   std::size_t document_start_ = 0;
   std::vector<Open> stack_;
   Node root_;
@@ -291,9 +354,10 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
     if (const std::optional<Refusal> conflict = find_conflict_marker(source)) throw *conflict;
     std::istringstream stream(without_version(spaced.text));
     YAML::Parser parser(stream);
-    TreeBuilder builder(source, spaced, skipped);
+    const bool has_anchors = syntax == Syntax::kYaml;
+    TreeBuilder builder(source, spaced, skipped, has_anchors);
     parser.HandleNextDocument(builder);
-    TreeBuilder further(source, spaced, skipped);
+    TreeBuilder further(source, spaced, skipped, has_anchors);
     std::size_t last_start = builder.document_start();
     while (parser.HandleNextDocument(further)) {
       if (further.has_content()) {
@@ -304,6 +368,7 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
       if (further.document_start() <= last_start) throw Refusal{{Code::kYamlNothingBegins}, further.document_start()};
       last_start = further.document_start();
     }
+    if (const std::optional<std::size_t> at = builder.first_copy()) report({{Code::kYamlCopies}, *at}, source, diagnostics);
     return builder.take_root();
   } catch (const Refusal& refusal) {
     report(explained(refusal, source), source, diagnostics);

@@ -40,7 +40,7 @@ std::span<const CodeInfo> kalibr_program_codes() {
                     "{0} has {1}; Kalibr wants numbers (PyYAML reads 1e-5 as a string: write 1.0e-05)"),
       named_misreading(Code::kKalibrSaysFovOutside,
                        "{0}: w is outside of 0.5 .. 1.5, where Kalibr regards its fov model as valid"),
-      named_refusal(Code::kKalibrSaysResolutionNoInts, "{0} must be two ints [width, height]; Kalibr stops (512.0 is no int)"),
+      named_refusal(Code::kKalibrSaysResolutionNoInts, "{0} must be two whole numbers [width, height] without a decimal point; Kalibr stops"),
       refusal(Code::kKalibrSaysResolutionTooLarge, "{0} is larger than an int"),
       named_misreading(Code::kKalibrSaysTopicMissing,
                        "{0} is missing; Kalibr stops when it looks for this camera's images in a bag", kAddTheKey),

@@ -25,6 +25,7 @@ struct Node {
   std::string value;           ///< Scalars: the text with quotes and escapes resolved.
   bool quoted = false;         ///< Scalars: '..' or "..".
   bool flow = false;           ///< Collections: [..] or {..}.
+  bool copied = false;         ///< By an alias or a merge key of YAML: its text stands elsewhere, and cannot be edited here.
   std::string tag;             ///< "" or as written, e.g. "tag:yaml.org,2002:opencv-matrix".
   std::vector<Node> items;     ///< Sequences.
   std::vector<Entry> entries;  ///< Mappings: in file order, duplicates included.

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Anchors, aliases and merge keys, which PyYAML reads: a file with them means what the same file written out means. It comes
+// back byte for byte, and is not edited.
+#include "formats/test_files.h"
+
+#include <fca/code.h>
+#include <fca/formats/proof.h>
+
+namespace fca::test {
+namespace {
+
+constexpr const char* kAnchored = R"(common: &common
+  camera_model: pinhole
+  distortion_model: equidistant
+  resolution: [752, 480]
+cam0: &left
+  <<: *common
+  intrinsics: [461.5, 460.25, 366.25, 249.0]
+  distortion_coeffs: &coeffs [-0.0125, 0.0575, -0.085, 0.0435]
+  rostopic: /cam0/image_raw
+cam1:
+  <<: [*left, *common]
+  distortion_coeffs: *coeffs
+  rostopic: /cam1/image_raw
+  T_cn_cnm1:
+  - [1.0, 0.0, 0.0, -0.11]
+  - [0.0, 1.0, 0.0, 0.0]
+  - [0.0, 0.0, 1.0, 0.0]
+  - [0.0, 0.0, 0.0, 1.0]
+)";
+
+constexpr const char* kWrittenOut = R"(cam0:
+  camera_model: pinhole
+  distortion_model: equidistant
+  resolution: [752, 480]
+  intrinsics: [461.5, 460.25, 366.25, 249.0]
+  distortion_coeffs: [-0.0125, 0.0575, -0.085, 0.0435]
+  rostopic: /cam0/image_raw
+cam1:
+  camera_model: pinhole
+  distortion_model: equidistant
+  resolution: [752, 480]
+  intrinsics: [461.5, 460.25, 366.25, 249.0]
+  distortion_coeffs: [-0.0125, 0.0575, -0.085, 0.0435]
+  rostopic: /cam1/image_raw
+  T_cn_cnm1:
+  - [1.0, 0.0, 0.0, -0.11]
+  - [0.0, 1.0, 0.0, 0.0]
+  - [0.0, 0.0, 1.0, 0.0]
+  - [0.0, 0.0, 0.0, 1.0]
+)";
+
+bool has(const Diagnostics& diagnostics, Code code) {
+  return std::ranges::any_of(diagnostics.entries(), [code](const Diagnostic& each) { return each.facts.code == code; });
+}
+
+TEST(YamlAnchors, MeanWhatTheyStandFor) {
+  const Rig rig = calibration_of(kAnchored).rig;
+  const Rig written_out = calibration_of(kWrittenOut).rig;
+  EXPECT_EQ(rig.cameras, written_out.cameras);
+  EXPECT_EQ(rig.poses, written_out.poses);
+}
+
+TEST(YamlAnchors, AreReported) {
+  const Parsed parsed = parse(kAnchored);
+  EXPECT_TRUE(parsed.document);
+  EXPECT_TRUE(has(parsed.diagnostics, Code::kYamlCopies));
+  EXPECT_FALSE(parsed.diagnostics.has_errors());
+}
+
+TEST(YamlAnchors, AFileIsKeptButNotEdited) {
+  const text::Document base = document_of(kAnchored);
+  const Format& kalibr = *find_format("kalibr");
+  Rig rig = calibration_of(kAnchored).rig;
+  Diagnostics diagnostics;
+  const std::optional<Written> kept = write_calibration(kalibr, &base, rig, {}, diagnostics);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->files.front().document.bytes(), kAnchored);
+  ASSERT_TRUE(set_parameter(rig.cameras[1].model, "fx", 462.0));
+  EXPECT_FALSE(write_calibration(kalibr, &base, rig, {}, diagnostics));
+  EXPECT_TRUE(has(diagnostics, Code::kYamlCopiesNotEdited));
+}
+
+TEST(YamlAnchors, CopiesOfCopiesEnd) {
+  std::string bytes = "a0: &a0 [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]\n";
+  for (int i = 1; i < 12; ++i) {
+    const std::string before = "*a" + std::to_string(i - 1);
+    bytes += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + before;
+    for (int k = 1; k < 10; ++k) bytes += ", " + before;
+    bytes += "]\n";
+  }
+  const Parsed parsed = parse(bytes);
+  EXPECT_FALSE(parsed.document);
+  EXPECT_TRUE(has(parsed.diagnostics, Code::kListTooLong));
+}
+
+}  // namespace
+}  // namespace fca::test
