@@ -159,6 +159,16 @@ TEST(Into, ACameraLeftOutOfTheInputLeavesTheBasesAlone) {
   EXPECT_EQ(run.out, base);
 }
 
+// Of the base's cameras it is the second: its verdict is no distance to the first.
+TEST(Into, TheVerdictIsOfTheCameraThatWasPutIn) {
+  const TemporaryFolder folder;
+  const std::string base = folder.write("base.yaml", read_file(kTumvi));
+  const Told told({"convert", kTumvi, "--camera", "cam1", "--into", base});
+  EXPECT_EQ(told.code(), 0) << told.text();
+  ASSERT_EQ(told.json()["cameras"].Size(), 1U) << told.text();
+  EXPECT_STREQ(told.json()["cameras"][0]["name"].GetString(), "cam1") << told.text();
+}
+
 // OpenVINS' header, comments and direction of the pose are its owner's.
 TEST(Into, AFileOfAnotherProgramKeepsItsLayout) {
   const TemporaryFolder folder;

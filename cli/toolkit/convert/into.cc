@@ -52,7 +52,10 @@ void take_names(const Rig& base, std::span<const Camera* const> counterparts, Ri
     if (row != names.end()) return row->second;
     return base.find_camera(name) != nullptr ? "input/" + name : name;
   };
-  for (Camera& camera : rig.cameras) camera.name = renamed(camera.name);
+  for (Camera& camera : rig.cameras) {
+    camera.name = renamed(camera.name);
+    kept.names.push_back(camera.name);
+  }
   for (PoseEdge& edge : rig.poses) {
     edge.a = renamed(edge.a);
     edge.b = renamed(edge.b);

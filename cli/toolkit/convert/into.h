@@ -13,6 +13,7 @@ namespace fca {
 
 /// What of a base stays that the input says nothing of, and what does not.
 struct Kept {
+  std::vector<std::string> names;     ///< Of the rig's cameras, in its order, as the base or the result calls them.
   std::vector<std::string> replaced;  ///< Its cameras whose place another one of the input takes.
   std::vector<std::string> cameras;
   std::vector<PoseEdge> poses;            ///< Of cameras that are now others.

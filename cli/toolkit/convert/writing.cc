@@ -162,7 +162,7 @@ bool Writing::put_together() {
   const bool order_given = request_.inputs.cameras && request_.inputs.cameras->size() > 1;
   rig_ = put_into(into_->rig, std::move(rig_), order_given, kept_, result_.diagnostics);
   if (!sizes_agree(*into_, input_, rig_, request_, result_.diagnostics)) return false;
-  for (std::size_t i = 0; i < result_.cameras.size(); ++i) result_.cameras[i].source.name = rig_.cameras[i].name;
+  for (std::size_t i = 0; i < result_.cameras.size(); ++i) result_.cameras[i].source.name = kept_.names[i];
   return true;
 }
 
