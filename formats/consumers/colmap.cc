@@ -25,9 +25,11 @@ constexpr std::size_t kMaxBytes = 2U << 20U;
 using colmap::Bytes;
 using colmap::Model;
 
+using Own = std::function<void(const Model& model, const std::vector<double>& params, ConsumerCamera& camera)>;
+
 class Reader {
  public:
-  explicit Reader(ConsumerView& view) : view_(view) {}
+  Reader(const Own& own, ConsumerView& view) : own_(own), view_(view) {}
 
   /// ReadCamerasBinary. True if it takes all bytes.
   bool run_binary(std::string_view bytes) {
@@ -106,9 +108,11 @@ class Reader {
     ConsumerCamera seen = colmap::seen_camera("cam" + std::to_string(view_.cameras.size()), model, params);
     seen.width = static_cast<int>(size[0]);
     seen.height = static_cast<int>(size[1]);
+    if (own_) own_(model, params, seen);
     view_.cameras.push_back(std::move(seen));
   }
 
+  const Own& own_;
   ConsumerView& view_;
   std::set<std::uint32_t> ids_;
   std::set<std::string_view> told_;
@@ -129,15 +133,15 @@ bool holds_rigs(std::string_view bytes) {
 /// Behind a count of 8 bytes.
 bool is_binary(std::string_view bytes) { return bytes.size() >= 8 && bytes.substr(4, 4) == std::string_view("\0\0\0\0", 4); }
 
-void load_binary(std::string_view bytes, ConsumerView& view) {
+void load_binary(std::string_view bytes, const Own& own, ConsumerView& view) {
   ConsumerView as_rigs;
-  if (Reader(view).run_binary(bytes) || !colmap::read_binary_rigs(bytes, as_rigs)) return;
+  if (Reader(own, view).run_binary(bytes) || !colmap::read_binary_rigs(bytes, as_rigs)) return;
   view = as_rigs;
 }
 
 }  // namespace
 
-ConsumerView load_colmap(std::string_view bytes, const LoadOptions& /*options*/) {
+ConsumerView colmap::load(std::string_view bytes, const Own& own) {
   ConsumerView view;
   if (bytes.empty() || bytes.size() > kMaxBytes) {
     view.refusals.emplace_back(bytes.empty() ? Code::kProgramFileEmpty : Code::kProgramFileTooLarge, "");
@@ -147,13 +151,15 @@ ConsumerView load_colmap(std::string_view bytes, const LoadOptions& /*options*/)
   if (first != std::string_view::npos && bytes[first] == '[') {
     colmap::read_rig_config(bytes, view);
   } else if (is_binary(bytes)) {
-    load_binary(bytes, view);
+    load_binary(bytes, own, view);
   } else if (holds_rigs(bytes)) {
     colmap::read_rigs(bytes, view);
   } else {
-    Reader(view).run(bytes);
+    Reader(own, view).run(bytes);
   }
   return view;
 }
+
+ConsumerView load_colmap(std::string_view bytes, const LoadOptions& /*options*/) { return colmap::load(bytes); }
 
 }  // namespace fca::consumers

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -56,6 +57,11 @@ class Bytes {
   std::string_view bytes_;
   bool short_ = false;
 };
+
+/// COLMAP's reading of a file. `own`: changes what it makes of each camera, by the model and the parameters of its line.
+[[nodiscard]] ConsumerView load(
+    std::string_view bytes,
+    const std::function<void(const Model& model, const std::vector<double>& params, ConsumerCamera& camera)>& own = {});
 
 /// ReadRigsText and ReadRigsBinary. Sensors are called as there: "CAMERA 2".
 void read_rigs(std::string_view bytes, ConsumerView& view);

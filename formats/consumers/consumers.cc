@@ -197,12 +197,14 @@ constexpr std::array kConsumers{
              .format = "nerfstudio",
              .tolerance_px = kFloatPrecisionPx,
              .load = &in_own_locale<&load_nerfstudio>,
+             .second_format = "colmap",
              .source = "nerfstudio-project/nerfstudio@50e0e3c7 (2025-07-28)"},
     Consumer{.id = "instant-ngp",
              .program = "instant-ngp",
              .format = "nerfstudio",
              .tolerance_px = kFloatPrecisionPx,
              .load = &in_own_locale<&load_instant_ngp>,
+             .second_format = "colmap",
              .writing = {.unread = kUnreadByInstantNgp},
              .source = "NVlabs/instant-ngp@abe236e (2026-02-02)"},
     Consumer{.id = "gsplat",
@@ -227,7 +229,7 @@ constexpr std::array kConsumers{
              .load = &in_own_locale<&load_lichtfeld>,
              .second_format = "nerfstudio",
              .writing = {.models_taken = kTakenByLichtfeld, .lenses_alone = true},
-             .source = "MrNeRF/LichtFeld-Studio@0673fd46"},
+             .source = "MrNeRF/LichtFeld-Studio@0673fd46 (colmap.cpp of 2025-10-17)"},
 };
 
 }  // namespace

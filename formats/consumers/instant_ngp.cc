@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // instant-ngp: transforms.json. From NVlabs/instant-ngp@abe236e (2026-02-02): src/nerf_loader.cu (read_lens, read_focal_length,
-// load_nerf) and common_device.cuh (the lenses' distortion, and rays at pixel + 0.5). It computes in float32.
+// load_nerf) and common_device.cuh (the lenses' distortion, and rays at pixel + 0.5). It computes in float32. Of the text files
+// of a COLMAP model its scripts/colmap2nerf.py makes such a file.
 #include "nerf_file.h"
 
 #include "programs.h"
+#include "taken_models.h"
 
 #include <fca/code.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -179,9 +182,39 @@ class Loader {
   ConsumerView& view_;
 };
 
+/// Any other model than colmap2nerf.py knows: a pinhole with the line's first focal length and the image's middle.
+void take_for_pinhole(const colmap::Model& model, const std::vector<double>& params, ConsumerCamera& camera) {
+  if (std::ranges::find(kTakenByNerfstudio, model.name) != kTakenByNerfstudio.end()) return;
+  constexpr double kCentre = 0.5;
+  const Pixel middle = {0.5 * camera.width - kCentre, 0.5 * camera.height - kCentre};
+  camera.project = [f = params.front(), middle](const Ray& ray) -> std::optional<Pixel> {
+    const std::optional<Pixel> plane = nerf_plane(ray);
+    return plane ? std::optional(Pixel{f * (*plane)[0] + middle[0], f * (*plane)[1] + middle[1]}) : std::nullopt;
+  };
+  camera.misread = true;
+}
+
+ConsumerView load_colmap2nerf(std::string_view bytes, const LoadOptions& options) {
+  constexpr std::string_view kProgram = "instant-ngp";
+  std::string_view unknown;
+  ConsumerView view =
+      load_taken_of_colmap(bytes, options, kProgram, {}, [&unknown](const auto& model, const auto& params, auto& camera) {
+        take_for_pinhole(model, params, camera);
+        if (camera.misread && unknown.empty()) unknown = model.name;
+      });
+  if (view.loads() && bytes.find('\0') != std::string_view::npos) {
+    view.refusals.emplace_back(Code::kColmapSaysTextOnly, "", std::vector<Argument>{kProgram});
+    view.cameras.clear();
+  }
+  if (view.loads() && !unknown.empty())
+    view.warnings.emplace_back(Code::kNerfSaysColmapPinhole, "", std::vector<Argument>{unknown});
+  return view;
+}
+
 }  // namespace
 
 ConsumerView load_instant_ngp(std::string_view bytes, const LoadOptions& options) {
+  if (!is_json(bytes)) return load_colmap2nerf(bytes, options);
   ConsumerView view;
   NerfFile file(bytes, true, view);
   if (view.loads()) Loader(file, options.image_size, view).run();

@@ -14,6 +14,10 @@ inline constexpr std::array<std::string_view, 6> kTakenByGsplat = {"SIMPLE_PINHO
                                                                    "RADIAL",         "OPENCV",  "OPENCV_FISHEYE"};
 inline constexpr std::array<std::string_view, 7> kTakenBy3dgrut = {
     "SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV"};
+/// Of ns-process-data and of instant-ngp's colmap2nerf.py.
+inline constexpr std::array<std::string_view, 8> kTakenByNerfstudio = {
+    "SIMPLE_PINHOLE", "PINHOLE",        "SIMPLE_RADIAL",         "RADIAL",
+    "OPENCV",         "OPENCV_FISHEYE", "SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE"};
 inline constexpr std::array<std::string_view, 9> kTakenByLichtfeld = {
     "SIMPLE_PINHOLE", "PINHOLE",        "SIMPLE_RADIAL",         "RADIAL",        "OPENCV",
     "FULL_OPENCV",    "OPENCV_FISHEYE", "SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE"};
@@ -25,6 +29,7 @@ inline constexpr std::array<std::string_view, 9> kTakenByLichtfeld = {
 [[nodiscard]] ConsumerView load_cuvslam(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_cuvslam_imu(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_gsplat(std::string_view bytes, const LoadOptions& options);
+/// transforms.json, and the text file of COLMAP's that colmap2nerf.py makes one of.
 [[nodiscard]] ConsumerView load_instant_ngp(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_kalibr(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_kalibr_imu(std::string_view bytes, const LoadOptions& options);
@@ -32,6 +37,7 @@ inline constexpr std::array<std::string_view, 9> kTakenByLichtfeld = {
 [[nodiscard]] ConsumerView load_kimera_imu(std::string_view bytes, const LoadOptions& options);
 /// COLMAP's file and transforms.json.
 [[nodiscard]] ConsumerView load_lichtfeld(std::string_view bytes, const LoadOptions& options);
+/// transforms.json, and the file of COLMAP's that ns-process-data makes one of.
 [[nodiscard]] ConsumerView load_nerfstudio(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_openvins(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_openvins_imu(std::string_view bytes, const LoadOptions& options);

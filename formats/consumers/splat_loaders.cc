@@ -5,17 +5,17 @@
 //   3dgrut     nv-tlabs/3dgrut (2026-07-08), threedgrut/datasets/dataset_colmap.py and dataset_nerf.py
 //   LichtFeld  MrNeRF/LichtFeld-Studio: colmap.cpp (2025-10-17); src/io/formats/transforms.cpp at 0673fd46. Until 2025-10 it
 //              refused a transforms.json with coefficients above 0.
-//
-// That 3dgrut gives up rays whose rational factor is outside (0.8, 1.2) is not computed here.
 #include "nerf_file.h"
 
 #include "programs.h"
+#include "taken_models.h"
 
 #include <fca/code.h>
 
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace fca::consumers {
 namespace {
@@ -24,28 +24,29 @@ using Pixel = std::array<double, 2>;
 using Ray = std::array<double, 3>;
 using Json = NerfFile::Json;
 
-bool begins_with(char character, std::string_view bytes) {
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  return first != std::string_view::npos && bytes[first] == character;
+/// ncore's cameras (OpenCVPinholeCameraModel), which 3dgrut traces: a ray whose radial factor is outside these is invalid.
+constexpr double kLeastFactor = 0.8;
+constexpr double kLargestFactor = 1.2;
+
+/// The factor by which a lens without a fisheye's angle moves a point at that ray away from its centre. `k`: k1, k2, and of
+/// FULL_OPENCV p1 p2 k3 k4 k5 k6.
+double radial_factor(std::span<const double> k, const Ray& ray) {
+  const auto at = [&k](std::size_t index) { return index < k.size() ? k[index] : 0.0; };
+  const double r2 = (ray[0] * ray[0] + ray[1] * ray[1]) / (ray[2] * ray[2]);
+  const double above = 1.0 + r2 * (at(0) + r2 * (at(1) + r2 * at(4)));
+  const double below = 1.0 + r2 * (at(5) + r2 * (at(6) + r2 * at(7)));
+  return above / below;
 }
 
-bool is_json(std::string_view bytes) { return begins_with('{', bytes); }
-
-/// What COLMAP reads, if all of its models are among those.
-ConsumerView load_some_of_colmap(std::string_view bytes, const LoadOptions& options, std::string_view program,
-                                 std::span<const std::string_view> models) {
-  ConsumerView view = load_colmap(bytes, options);
-  view.warnings.clear();
-  const bool is_of_rigs = view.loads() && (view.cameras.empty() || begins_with('[', bytes));  // COLMAP's alone reads them
-  if (is_of_rigs) view.refusals = {{Code::kColmapSaysRigFile, "", std::vector<Argument>{program}}};
-  for (const ConsumerCamera& camera : view.cameras) {
-    if (std::ranges::find(models, camera.model) != models.end()) continue;
-    const std::vector<std::string> all(models.begin(), models.end());
-    view.refusals.emplace_back(Code::kColmapSaysModelNotTaken, "", std::vector<Argument>{program, camera.model, all});
-    break;
-  }
-  if (!view.loads()) view.cameras.clear();
-  return view;
+/// Gives up the rays that ncore does.
+void limit_radial_factor(const colmap::Model& model, const std::vector<double>& params, ConsumerCamera& camera) {
+  constexpr std::array<std::string_view, 4> kRadial = {"SIMPLE_RADIAL", "RADIAL", "OPENCV", "FULL_OPENCV"};
+  if (std::ranges::find(kRadial, model.name) == kRadial.end()) return;
+  const std::vector<double> k(params.end() - static_cast<std::ptrdiff_t>(model.coefficients), params.end());
+  camera.project = [k, whole = std::move(camera.project)](const Ray& ray) -> std::optional<Pixel> {
+    const double factor = radial_factor(k, ray);
+    return factor > kLeastFactor && factor < kLargestFactor ? whole(ray) : std::nullopt;
+  };
 }
 
 constexpr std::array<std::string_view, 12> kIntrinsics = {"fl_x", "fl_y", "cx", "cy", "k1", "k2",
@@ -152,17 +153,17 @@ ConsumerView load_transforms_of_3dgrut(std::string_view bytes, const LoadOptions
 }  // namespace
 
 ConsumerView load_gsplat(std::string_view bytes, const LoadOptions& options) {
-  return load_some_of_colmap(bytes, options, "gsplat", kTakenByGsplat);
+  return load_taken_of_colmap(bytes, options, "gsplat", kTakenByGsplat);
 }
 
 ConsumerView load_3dgrut(std::string_view bytes, const LoadOptions& options) {
   return is_json(bytes) ? load_transforms_of_3dgrut(bytes, options)
-                        : load_some_of_colmap(bytes, options, "3dgrut", kTakenBy3dgrut);
+                        : load_taken_of_colmap(bytes, options, "3dgrut", kTakenBy3dgrut, &limit_radial_factor);
 }
 
 ConsumerView load_lichtfeld(std::string_view bytes, const LoadOptions& options) {
   return is_json(bytes) ? load_transforms_of_lichtfeld(bytes, options)
-                        : load_some_of_colmap(bytes, options, "LichtFeld Studio", kTakenByLichtfeld);
+                        : load_taken_of_colmap(bytes, options, "LichtFeld Studio", kTakenByLichtfeld);
 }
 
 }  // namespace fca::consumers

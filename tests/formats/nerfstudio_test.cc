@@ -365,19 +365,39 @@ TEST(NerfLoaders, TrainersOfSplatsTakeSomeOfColmapsCameras) {
   const auto line = [](const char* words) { return "1 " + std::string(words) + "\n"; };
   struct Row {
     const char* words;
-    bool gsplat, grut, lichtfeld;
+    bool gsplat, grut, lichtfeld, nerfstudio;
   };
-  const std::array rows = {Row{"OPENCV 640 480 500 510 321 239 -0.1 0.02 0 0", true, true, true},
-                           Row{"OPENCV_FISHEYE 640 480 500 510 321 239 -0.1 0.02 0 0", true, true, true},
-                           Row{"FULL_OPENCV 640 480 500 510 321 239 -0.1 0.02 0 0 0 0 0 0", false, true, true},
-                           Row{"RADIAL_FISHEYE 640 480 500 321 239 -0.1 0.02", false, false, true},
-                           Row{"FOV 640 480 500 510 321 239 0.9", false, false, false},
-                           Row{"EUCM 640 480 500 510 321 239 0.6 1.1", false, false, false}};
+  const std::array rows = {Row{"OPENCV 640 480 500 510 321 239 -0.1 0.02 0 0", true, true, true, true},
+                           Row{"OPENCV_FISHEYE 640 480 500 510 321 239 -0.1 0.02 0 0", true, true, true, true},
+                           Row{"FULL_OPENCV 640 480 500 510 321 239 -0.1 0.02 0 0 0 0 0 0", false, true, true, false},
+                           Row{"RADIAL_FISHEYE 640 480 500 321 239 -0.1 0.02", false, false, true, true},
+                           Row{"FOV 640 480 500 510 321 239 0.9", false, false, false, false},
+                           Row{"EUCM 640 480 500 510 321 239 0.6 1.1", false, false, false, false}};
   for (const Row& row : rows) {
     EXPECT_EQ(view_of("gsplat", line(row.words)).loads(), row.gsplat) << row.words;
     EXPECT_EQ(view_of("3dgrut", line(row.words)).loads(), row.grut) << row.words;
     EXPECT_EQ(view_of("lichtfeld", line(row.words)).loads(), row.lichtfeld) << row.words;
+    EXPECT_EQ(view_of("nerfstudio", line(row.words)).loads(), row.nerfstudio) << row.words;
+    // colmap2nerf.py goes on with a pinhole.
+    const consumers::ConsumerView ngp = view_of("instant-ngp", line(row.words));
+    ASSERT_TRUE(ngp.loads()) << row.words;
+    EXPECT_EQ(ngp.cameras.at(0).misread, !row.nerfstudio) << row.words;
+    if (row.nerfstudio) continue;
+    EXPECT_NEAR((*ngp.cameras.at(0).project({0.5, 0.0, 1.0}))[0], 250.0 + 320.0 - 0.5, 2e-4) << row.words;
   }
+}
+
+// ncore's cameras: the factor of the radius lies between 0.8 and 1.2.
+TEST(NerfLoaders, TheBorderOfAWideLensIsNoneTo3dgrut) {
+  const auto sees = [](const char* words, double x) {
+    return view_of("3dgrut", "1 " + std::string(words) + "\n").cameras.at(0).project({x, 0.0, 1.0}).has_value();
+  };
+  for (const char* words : {"OPENCV 640 480 500 500 320 240 -0.25 0 0 0", "SIMPLE_RADIAL 640 480 500 320 240 -0.25",
+                            "FULL_OPENCV 640 480 500 500 320 240 0 0 0 0 0 0.25 0 0"}) {
+    EXPECT_TRUE(sees(words, 0.85)) << words;
+    EXPECT_FALSE(sees(words, 1.05)) << words;
+  }
+  EXPECT_TRUE(sees("OPENCV_FISHEYE 640 480 200 200 320 240 -0.25 0 0 0", 1.05));
 }
 
 // ---------------------------------------------------------------- the corpus

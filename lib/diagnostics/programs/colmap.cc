@@ -23,6 +23,8 @@ std::span<const CodeInfo> colmap_program_codes() {
       named_refusal(Code::kColmapSaysModelNotTaken, "{0} does not take cameras of {1}, but {2:and}",
                     "write one of these, or undistort the images (colmap image_undistorter)"),
       named_refusal(Code::kColmapSaysRigFile, "{0} reads cameras and no file of rigs"),
+      named_refusal(Code::kColmapSaysTextOnly, "{0} reads the text files of a model alone",
+                    "write cameras.txt (colmap model_converter)"),
       named_refusal(Code::kColmapSaysEnds, "the file ends inside camera or rig {0}: COLMAP stops, or reads what is not there"),
       named_refusal(Code::kColmapSaysModelNumber, "camera {0} has the model number {1}, which COLMAP does not know: it stops"),
       named_refusal(Code::kColmapSaysNoRigLine, "rig {0} does not hold the sensors that it counts: COLMAP stops"),

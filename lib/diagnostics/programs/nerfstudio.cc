@@ -33,6 +33,9 @@ std::span<const CodeInfo> nerf_program_codes() {
                  "it reads camera_angle_x alone: fl_y is fl_x, the principal point is the middle, and nothing is distorted",
                  "undistort the images to a pinhole with its centre in the middle"),
       misreading(Code::kNerfSaysAngleFirst, "{0} is read in place of {1}", "remove {0}"),
+      misreading(Code::kNerfSaysColmapPinhole,
+                 "its colmap2nerf.py does not know {0} and goes on with a pinhole whose centre is the middle of the image",
+                 "write OPENCV or OPENCV_FISHEYE"),
   };
   return kRows;
 }

@@ -1148,6 +1148,7 @@ enum class Code : std::uint16_t {
   kColmapSaysHalf,
   kColmapSaysModelNotTaken,
   kColmapSaysRigFile,
+  kColmapSaysTextOnly,
   kColmapSaysEnds,
   kColmapSaysModelNumber,
   kColmapSaysNoRigLine,
@@ -1172,6 +1173,7 @@ enum class Code : std::uint16_t {
   kNerfSaysPinhole,
   kNerfSaysAngleOnly,
   kNerfSaysAngleFirst,
+  kNerfSaysColmapPinhole,
 
   // What OpenCV's functions make of a file.
   kCvNoCameraMatrix,
