@@ -87,7 +87,8 @@ class Loader {
                                         image.lens.mode == LensMode::kOpenCvFisheye ? "OpenCVFisheye" : "OpenCV",
                                         [image](const Ray& ray) { return project(image, ray); });
       const bool by_angle = warn_of_angles(file_.root()) || warn_of_angles(*camera.frame);
-      seen.misread = warn_of_lens(camera, image) || by_angle;
+      const bool by_list = file_.warn_of_list(file_.root()) || file_.warn_of_list(*camera.frame);
+      seen.misread = warn_of_lens(camera, image) || by_angle || by_list;
       view_.cameras.push_back(std::move(seen));
     }
   }

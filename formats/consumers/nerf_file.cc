@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <set>
 #include <utility>
 
@@ -19,16 +20,21 @@ constexpr std::size_t kMaxBytes = 2U << 20U;
 constexpr std::array<std::string_view, 6> kNumbers = {"fl_x", "fl_y", "cx", "cy", "w", "h"};
 constexpr std::array<std::string_view, 4> kAngles = {"x_fov", "y_fov", "camera_angle_x", "camera_angle_y"};
 constexpr std::array<std::string_view, 6> kLens = {"k1", "k2", "k3", "k4", "p1", "p2"};
+constexpr std::string_view kList = "distortion_params";
+
+/// A number of a file as text.
+std::string digits_of(std::string_view key, double value) {
+  std::array<char, 40> digits{};
+  static_cast<void>(std::snprintf(digits.data(), digits.size(), "%.17g;", value));
+  return std::string(key) + digits.data();
+}
 
 /// What the frame says of its camera and the top does not.
 std::string own_numbers(const Json& root, const Json& frame) {
   std::string text;
   const auto add = [&](std::string_view key) {
     const Json* value = NerfFile::find(root, key) == nullptr ? NerfFile::find(frame, key) : nullptr;
-    if (value == nullptr) return;
-    std::array<char, 40> digits{};
-    static_cast<void>(std::snprintf(digits.data(), digits.size(), "%.17g;", value->IsNumber() ? value->GetDouble() : 0.0));
-    text += std::string(key) + digits.data();
+    if (value != nullptr) text += digits_of(key, value->IsNumber() ? value->GetDouble() : 0.0);
   };
   const auto stands = [&](std::string_view key) {
     return NerfFile::find(root, key) != nullptr || NerfFile::find(frame, key) != nullptr;
@@ -37,9 +43,17 @@ std::string own_numbers(const Json& root, const Json& frame) {
   for (const std::string_view key : kAngles) {
     if (!stands(key.front() == 'x' || key.back() == 'x' ? "fl_x" : "fl_y")) add(key);
   }
-  const bool shared =
-      std::ranges::any_of(kLens, [&root](std::string_view key) { return key != "k4" && NerfFile::find(root, key) != nullptr; });
-  if (!shared) std::ranges::for_each(kLens, add);
+  const bool shared = NerfFile::find(root, kList) != nullptr || std::ranges::any_of(kLens, [&root](std::string_view key) {
+                        return key != "k4" && NerfFile::find(root, key) != nullptr;
+                      });
+  if (shared) return text;
+  const Json* list = NerfFile::find(frame, kList);
+  if (list == nullptr || !list->IsArray()) {
+    std::ranges::for_each(kLens, add);
+    return text;
+  }
+  for (rapidjson::SizeType i = 0; i < list->Size() && i < kLens.size(); ++i)
+    text += digits_of(kLens.at(i), (*list)[i].IsNumber() ? (*list)[i].GetDouble() : 0.0);
   return text;
 }
 
@@ -125,6 +139,43 @@ std::optional<double> NerfFile::number(const Json& object, std::string_view key)
   if (value->IsNumber()) return value->GetDouble();
   refuse(Code::kNerfSaysNoNumber, {key}, std::string(key));
   return std::nullopt;
+}
+
+std::optional<double> NerfFile::number_or_text(const Json& object, std::string_view key) {
+  const Json* value = find(object, key);
+  if (value == nullptr || !value->IsString()) return number(object, key);
+  // strtod reads all that float() does, and numbers with an x as well.
+  const std::string text = value->GetString();
+  char* end = nullptr;
+  const double result = std::strtod(text.c_str(), &end);
+  const std::string_view rest = end;
+  const bool is_float = end != text.c_str() && rest.find_first_not_of(" \t\r\n\v\f") == std::string_view::npos &&
+                        text.find_first_of("xX(") == std::string::npos;
+  if (is_float) return result;
+  refuse(Code::kNerfSaysNoNumber, {key}, std::string(key));
+  return std::nullopt;
+}
+
+std::optional<std::vector<double>> NerfFile::coefficient_list(const Json& object) {
+  const Json* list = find(object, kList);
+  if (list == nullptr) return std::nullopt;
+  std::vector<double> numbers;
+  for (rapidjson::SizeType i = 0; list->IsArray() && i < list->Size(); ++i) {
+    if ((*list)[i].IsNumber()) numbers.push_back((*list)[i].GetDouble());
+  }
+  if (list->IsArray() && numbers.size() == list->Size() && numbers.size() >= kLens.size()) return numbers;
+  refuse(Code::kNerfSaysNoList, {}, std::string(kList));
+  return std::nullopt;
+}
+
+bool NerfFile::warn_of_list(const Json& object) {
+  const Json* list = find(object, kList);
+  const auto bends = [](const Json& item) { return item.IsNumber() && item.GetDouble() != 0.0; };
+  if (list == nullptr || !list->IsArray() || std::none_of(list->Begin(), list->End(), bends) ||
+      std::ranges::any_of(kLens, [&object](std::string_view key) { return find(object, key) != nullptr; }))
+    return false;
+  warn(Code::kNerfSaysListNotRead, {}, std::string(kList));
+  return true;
 }
 
 bool NerfFile::flag(const Json& object, std::string_view key) {

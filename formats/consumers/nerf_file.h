@@ -41,6 +41,14 @@ class NerfFile {
   [[nodiscard]] static const Json* find(const Json& object, std::string_view key);
   /// A number; nothing where there is none, and a refusal where something else stands there.
   std::optional<double> number(const Json& object, std::string_view key);
+  /// The same as Python's float() has it, which reads a text, too.
+  std::optional<double> number_or_text(const Json& object, std::string_view key);
+  /// The numbers of distortion_params; nothing where it is not there, and a refusal where it is no list of at least six
+  /// numbers.
+  std::optional<std::vector<double>> coefficient_list(const Json& object);
+  /// Where an object has distortion_params: true, with a warning that the program does not read them, if one is not 0 and no
+  /// coefficient stands beside the list.
+  bool warn_of_list(const Json& object);
   /// True or false; false where nothing stands there, and a refusal where something else does.
   bool flag(const Json& object, std::string_view key);
   /// Is it nerfstudio's OPENCV_FISHEYE?

@@ -108,7 +108,7 @@ class Dataparser {
     const auto fixed_or_own = [&](std::string_view key) {
       const Json& owner = NerfFile::find(file_.root(), key) != nullptr ? file_.root() : *camera.frame;
       if (NerfFile::find(owner, key) == nullptr) file_.refuse(Code::kNerfSaysLacks, {key, camera.index}, "frames");
-      return file_.number(owner, key).value_or(0.0);
+      return file_.number_or_text(owner, key).value_or(0.0);
     };
     n.fl_x = fixed_or_own("fl_x");
     n.fl_y = fixed_or_own("fl_y");
@@ -116,11 +116,20 @@ class Dataparser {
     n.cy = fixed_or_own("cy");
     n.h = fixed_or_own("h");
     n.w = fixed_or_own("w");
-    constexpr std::array<std::string_view, 5> kFixing = {"k1", "k2", "k3", "p1", "p2"};
+    constexpr std::array<std::string_view, 6> kFixing = {"k1", "k2", "k3", "p1", "p2", "distortion_params"};
     const bool fixed =
         std::ranges::any_of(kFixing, [this](std::string_view key) { return NerfFile::find(file_.root(), key) != nullptr; });
     const Json& lens = fixed ? file_.root() : *camera.frame;
-    const auto coefficient = [&](std::string_view key) { return file_.number(lens, key).value_or(0.0); };
+    if (const std::optional<std::vector<double>> list = file_.coefficient_list(lens)) {
+      n.k1 = (*list)[0];
+      n.k2 = (*list)[1];
+      n.k3 = (*list)[2];
+      n.k4 = (*list)[3];
+      n.p1 = (*list)[4];
+      n.p2 = (*list)[5];
+      return n;
+    }
+    const auto coefficient = [&](std::string_view key) { return file_.number_or_text(lens, key).value_or(0.0); };
     n.k1 = coefficient("k1");
     n.k2 = coefficient("k2");
     n.k3 = coefficient("k3");

@@ -116,7 +116,8 @@ ConsumerView load_transforms_of_lichtfeld(std::string_view bytes, const LoadOpti
     const bool of_frames = warn_of_frames(file, camera);
     const bool fisheye = is_fisheye(file, camera);
     if (fisheye) file.warn(Code::kNerfSaysPinhole, {}, "camera_model");
-    seen.misread = of_frames || fisheye;
+    const bool by_list = file.warn_of_list(file.root()) || file.warn_of_list(*camera.frame);
+    seen.misread = of_frames || fisheye || by_list;
     view.cameras.push_back(std::move(seen));
   }
   if (!view.loads()) view.cameras.clear();

@@ -16,11 +16,21 @@ using text::Node;
 
 namespace {
 
-bool is_coefficient(std::string_view key) { return std::ranges::find(kCoefficients, key) != kCoefficients.end(); }
 bool is_one_of(const std::vector<std::string_view>& keys, std::string_view key) {
   return std::ranges::find(keys, key) != keys.end();
 }
 double value_of(const Camera& camera, ParameterId id) { return parameter(camera.model, id).value(); }
+
+/// All of the camera's coefficients, those that its model has not as zeros.
+Field coefficient_list(const Camera& camera) {
+  std::vector<double> numbers;
+  const auto& parameters = model_info(camera.model).parameters;
+  for (const std::string_view key : kCoefficients) {
+    const auto row = std::ranges::find(parameters, key, &Parameter::name);
+    numbers.push_back(row != parameters.end() ? value_of(camera, ParameterId(*row)) : 0.0);
+  }
+  return fields::list(std::string(kCoefficientList), numbers);
+}
 
 /// What an object says before and after.
 struct Change {
@@ -71,6 +81,7 @@ class Editor {
     for (const std::string_view key : kFocalAndCentre) change(key, same(key));
     for (const std::string_view key : kSize) change(key, same(key));
     const bool same_coefficients = std::ranges::all_of(kCoefficients, [this](std::string_view key) { return same(key); });
+    change_list(same_coefficients);
     for (const std::string_view key : kCoefficients) change(key, same_coefficients);
     change_angles();
     fields::apply(document_, root_, kDialect, top_.before, top_.after);
@@ -99,7 +110,7 @@ class Editor {
   [[nodiscard]] bool is_in_frames(std::string_view key) const {
     return std::ranges::any_of(cameras_, [key](const EditedCamera& camera) {
       return std::ranges::any_of(camera.group.frames, [key](const Node* frame) {
-        return is_coefficient(key) ? has_any(*frame, kCoefficients) : value_in(*frame, key) != nullptr;
+        return is_coefficient(key) ? has_coefficients(*frame) : value_in(*frame, key) != nullptr;
       });
     });
   }
@@ -128,10 +139,21 @@ class Editor {
     return is->tokens.front() != "0.0" || (other_model && !optional);
   }
 
+  /// The list at the top. It goes to the frames where it is no longer that of all cameras.
+  void change_list(bool same) {
+    if (value_in(root_, kCoefficientList) == nullptr) return;
+    const Field before = coefficient_list(cameras_.front().old);
+    const Field after = coefficient_list(cameras_.front().now);
+    top_.add(&before, same ? &after : nullptr);
+    if (!same) moved_.push_back(kCoefficientList);
+  }
+
   /// Notes what the top says of a key; frames are asked for what is left to them.
   void change(std::string_view key, bool same) {
     const EditedCamera& first = cameras_.front();
     const bool there = value_in(root_, key) != nullptr;
+    // Beside a list no key is wanted that is not there.
+    if (!there && is_coefficient(key) && value_in(root_, kCoefficientList) != nullptr) return;
     if (is_at_top(key)) {
       const Field* is = same && (there || must_state(first, key)) ? first.is(key) : nullptr;
       if (there || is != nullptr) top_.add(there ? first.was(key) : nullptr, is);
@@ -149,7 +171,9 @@ class Editor {
   /// What one of the camera's frames says.
   [[nodiscard]] Change in_frame(const EditedCamera& camera, const Node& frame) const {
     Change change;
+    const bool has_list = value_in(frame, kCoefficientList) != nullptr;
     const auto is_new = [&](std::string_view key) {
+      if (has_list && is_coefficient(key)) return false;
       const bool missing = is_one_of(in_frames_, key) && must_state(camera, key);
       return value_in(frame, key) == nullptr && (missing || is_one_of(moved_, key));
     };
@@ -161,6 +185,11 @@ class Editor {
     };
     for (const std::string_view key : kFocalAndCentre) add(key);
     for (const std::string_view key : kSize) add(key);
+    if (has_list || is_one_of(moved_, kCoefficientList)) {
+      const Field before = coefficient_list(camera.old);
+      const Field after = coefficient_list(camera.now);
+      change.add(has_list ? &before : nullptr, &after);
+    }
     for (const std::string_view key : kCoefficients) add(key);
     for (const AngleKey& key : kAngles) {
       if (value_in(frame, key.name) != nullptr) add_angle(key, camera, change);

@@ -51,7 +51,8 @@ std::string signature(const Node& root, const Node& frame) {
     if (key.read && value_in(root, focal_length) == nullptr && value_in(frame, focal_length) == nullptr) add(key.name);
   }
   for (const std::string_view key : kCoefficients) {
-    if (!coefficients_at_top(root)) add(key);
+    const Node* value = coefficients_at_top(root) ? nullptr : coefficient_in(frame, key);
+    if (value != nullptr) text += std::string(key) + "=" + shown(*value) + ";";
   }
   return text;
 }
@@ -87,13 +88,24 @@ const AngleKey* angle_in(const Node& object, bool horizontal) {
 
 const Node* value_in(const Node& object, std::string_view key) { return text::find(object, key, kDialect); }
 
-bool has_any(const Node& object, std::span<const std::string_view> keys) {
-  return std::ranges::any_of(keys, [&object](std::string_view key) { return value_in(object, key) != nullptr; });
+bool is_coefficient(std::string_view key) { return std::ranges::find(kCoefficients, key) != kCoefficients.end(); }
+
+const Node* coefficient_in(const Node& object, std::string_view key) {
+  const Node* list = value_in(object, kCoefficientList);
+  if (list == nullptr) return value_in(object, key);
+  const auto place = static_cast<std::size_t>(std::ranges::find(kCoefficients, key) - kCoefficients.begin());
+  return place < list->items.size() ? &list->items[place] : nullptr;
+}
+
+bool has_coefficients(const Node& object) {
+  return value_in(object, kCoefficientList) != nullptr ||
+         std::ranges::any_of(kCoefficients, [&object](std::string_view key) { return value_in(object, key) != nullptr; });
 }
 
 bool coefficients_at_top(const Node& root) {
-  return std::ranges::any_of(kCoefficients,
-                             [&root](std::string_view key) { return key != "k4" && value_in(root, key) != nullptr; });
+  return value_in(root, kCoefficientList) != nullptr || std::ranges::any_of(kCoefficients, [&root](std::string_view key) {
+           return key != "k4" && value_in(root, key) != nullptr;
+         });
 }
 
 std::vector<Group> groups_of(const Node& root) {
@@ -122,8 +134,7 @@ std::vector<Group> groups_of(const Node& root) {
 }
 
 const Node& owner_of(const Node& root, const Group& group, std::string_view key) {
-  const bool coefficient = std::ranges::find(kCoefficients, key) != kCoefficients.end();
-  const bool at_top = coefficient ? coefficients_at_top(root) : value_in(root, key) != nullptr;
+  const bool at_top = is_coefficient(key) ? coefficients_at_top(root) : value_in(root, key) != nullptr;
   return at_top || group.frames.empty() ? root : *group.frames.front();
 }
 

@@ -29,6 +29,8 @@ inline constexpr std::string_view kLabel = "camera";
 inline constexpr std::array<std::string_view, 4> kFocalAndCentre = {"fl_x", "fl_y", "cx", "cy"};
 inline constexpr std::array<std::string_view, 2> kSize = {"w", "h"};
 inline constexpr std::array<std::string_view, 6> kCoefficients = {"k1", "k2", "k3", "k4", "p1", "p2"};
+/// All of them in that order; nerfstudio takes it before each of them.
+inline constexpr std::string_view kCoefficientList = "distortion_params";
 
 /// A key with the angle that the image spans, from border to border.
 struct AngleKey {
@@ -50,8 +52,11 @@ inline constexpr std::array kAngles = {AngleKey{"x_fov", true, true},       Angl
 
 /// The value under a key of an object; null if there is none.
 [[nodiscard]] const text::Node* value_in(const text::Node& object, std::string_view key);
-/// Does any of the keys stand in the object?
-[[nodiscard]] bool has_any(const text::Node& object, std::span<const std::string_view> keys);
+[[nodiscard]] bool is_coefficient(std::string_view key);
+/// The number of a coefficient in an object: of its list, else under its key; null if there is none.
+[[nodiscard]] const text::Node* coefficient_in(const text::Node& object, std::string_view key);
+/// Does the object state coefficients, by keys or as a list?
+[[nodiscard]] bool has_coefficients(const text::Node& object);
 /// Do the coefficients at the top count, and none of a frame? k4 alone does not do that.
 [[nodiscard]] bool coefficients_at_top(const text::Node& root);
 

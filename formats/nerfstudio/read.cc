@@ -46,7 +46,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWithDigi
 /// A number of a camera that all programs read from the key.
 bool is_number(std::string_view key) {
   const auto is_among = [key](const auto& keys) { return std::ranges::find(keys, key) != keys.end(); };
-  return is_among(kFocalAndCentre) || is_among(kSize) || is_among(kCoefficients);
+  return is_among(kFocalAndCentre) || is_among(kSize) || is_coefficient(key);
 }
 
 /// Once for all frames.
@@ -67,7 +67,7 @@ class CameraReader {
     camera_.name = group_.name;
     warn_of_two_values();
     const std::optional<bool> fisheye = read_kind();
-    if (!fisheye || !read_size()) return std::nullopt;
+    if (!fisheye || !read_size() || !check_list()) return std::nullopt;
     const bool bends = std::ranges::any_of(kCoefficients, [this](std::string_view key) { return find(key) != nullptr; });
     camera_.model = make_model(*fisheye ? "kb4" : bends ? "radtan" : "pinhole").value();
     const bool focal = read_focal_lengths();
@@ -76,7 +76,10 @@ class CameraReader {
   }
 
  private:
-  [[nodiscard]] const Node* find(std::string_view key) const { return value_in(owner_of(root_, group_, key), key); }
+  [[nodiscard]] const Node* find(std::string_view key) const {
+    const Node& owner = owner_of(root_, group_, key);
+    return is_coefficient(key) ? coefficient_in(owner, key) : value_in(owner, key);
+  }
   [[nodiscard]] const Node& frame() const { return group_.frames.empty() ? root_ : *group_.frames.front(); }
   /// Where messages about what is not there point.
   [[nodiscard]] SourceRange beginning() const {
@@ -134,6 +137,20 @@ class CameraReader {
     if (width == nullptr || height == nullptr) return true;
     camera_.image_size = reader_.image_size(*width, *height, camera_.name + " ");
     return camera_.image_size.has_value();
+  }
+
+  /// Is distortion_params, where it counts, a list of all coefficients? Warns of keys beside it that say otherwise.
+  bool check_list() {
+    const Node& owner = owner_of(root_, group_, kCoefficients.front());
+    const Node* list = value_in(owner, kCoefficientList);
+    if (list == nullptr) return true;
+    const std::optional<std::vector<double>> numbers = reader_.reals(*list, kCoefficients.size(), kCoefficientList);
+    for (std::size_t i = 0; numbers && i < numbers->size(); ++i) {
+      const text::Entry* beside = text::find_entry(owner, kCoefficients.at(i), kDialect);
+      if (beside == nullptr || text::parse_real(beside->value.value) == (*numbers)[i]) continue;
+      reader_.say(beside->key, Code::kNerfListContradicts, {beside->key.value, beside->value.value, list->items[i].value});
+    }
+    return numbers.has_value();
   }
 
   bool needs_size(std::string_view what) {
@@ -256,7 +273,7 @@ bool check_frames(fields::Reader& reader, const Node& frames) {
 
 /// Is it a key of an image or of all, that says something of cameras or poses?
 bool is_known(std::string_view key) {
-  constexpr std::array kOthers = {kCameraModel, kIsFisheye, kFrames, kPose, kLabel, kImageFile};
+  constexpr std::array kOthers = {kCameraModel, kIsFisheye, kFrames, kPose, kLabel, kImageFile, kCoefficientList};
   return is_number(key) || std::ranges::find(kOthers, key) != kOthers.end() ||
          std::ranges::find(kAngles, key, &AngleKey::name) != kAngles.end();
 }
@@ -264,9 +281,9 @@ bool is_known(std::string_view key) {
 /// The key that is probably meant and does not stand in the object; empty: none.
 std::string_view meant_by(std::string_view key, const Node& object) {
   // Shorter ones (k1, cx) have too many neighbours.
-  constexpr std::array<std::string_view, 14> kLong = {kCameraModel,     kIsFisheye,       kFrames, kPose,   kLabel,
-                                                      kImageFile,       "fl_x",           "fl_y",  "x_fov", "y_fov",
-                                                      "camera_angle_x", "camera_angle_y", "fovx",  "fovy"};
+  constexpr std::array<std::string_view, 15> kLong = {kCameraModel, kIsFisheye,       kFrames,          kPose,  kLabel,
+                                                      kImageFile,   kCoefficientList, "fl_x",           "fl_y", "x_fov",
+                                                      "y_fov",      "camera_angle_x", "camera_angle_y", "fovx", "fovy"};
   if (is_known(key)) return {};
   const auto* const meant = std::ranges::find_if(
       kLong, [&](std::string_view known) { return text::is_misspelling(key, known) && value_in(object, known) == nullptr; });

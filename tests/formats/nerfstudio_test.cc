@@ -93,6 +93,10 @@ TEST(Nerfstudio, NumbersMeanWhatItsFormulasSay) {
       {R"("camera_model": "OPENCV", )" + lens, "radtan", brown(0.0)[0], brown(0.0)[1]},
       {lens + R"(, "k3": 0.5)", "radtan", brown(0.5)[0], brown(0.5)[1], false},
       {R"("camera_model": "SIMPLE_RADIAL", )" + lens, "radtan", brown(0.0)[0], brown(0.0)[1]},
+      // Whatever stands beside it.
+      {R"("distortion_params": [-0.1, 0.02, 0.5, 0, 0.001, -0.002], "k1": 0.3)", "radtan", brown(0.5)[0], brown(0.5)[1], false},
+      {R"("camera_model": "OPENCV_FISHEYE", "distortion_params": [0.01, -0.02, 0.003, -0.0004, 0, 0])", "kb4", fisheye * kX,
+       fisheye * kY, false},
       {R"("camera_model": "OPENCV_FISHEYE", "is_fisheye": true, "k1": 0.01, "k2": -0.02, "k3": 0.003, "k4": -0.0004)", "kb4",
        fisheye * kX, fisheye * kY}};
   for (const ByFormula& row : rows) {
@@ -310,7 +314,92 @@ TEST(Nerfstudio, WhatWasImpliedIsStatedWhenItChanges) {
   EXPECT_EQ(number_of(rig.cameras[0], "cy"), 240.0);
 }
 
+TEST(Nerfstudio, AnEditChangesTheListThatCounts) {
+  const std::string bytes = at_top(R"("distortion_params": [-0.10, 2e-2, 0, 0, 0.001, -0.002], "k2": 0.02)");
+  EXPECT_EQ(edited(bytes, [](Rig&) {}), bytes);
+  EXPECT_EQ(edited(bytes, [](Rig& rig) { set(rig, 0, "k1", -0.2); }), with_replaced(bytes, "-0.10", "-0.2"));
+  EXPECT_EQ(edited(bytes, [](Rig& rig) { set(rig, 0, "k2", 0.03); }),
+            with_replaced(with_replaced(bytes, "2e-2", "0.03"), "\"k2\": 0.02", "\"k2\": 0.03"));
+  const Rig fisheye = rig_of(edited(bytes, [](Rig& rig) { rig.cameras[0].model = sample_model("kb4"); }));
+  EXPECT_EQ(fisheye.cameras.at(0).model, sample_model("kb4"));
+}
+
+TEST(Nerfstudio, AListThatIsNoLongerOfAllCamerasGoesToTheFrames) {
+  const std::string other = with_replaced(kNumbers, "500.0", "501.0");
+  const std::string bytes = file(R"("distortion_params": [-0.1, 0.02, 0, 0, 0, 0])", {frame(kNumbers), frame(other)});
+  ASSERT_EQ(rig_of(bytes).cameras.size(), 2U);
+  const std::string now = edited(bytes, [](Rig& rig) { set(rig, 1, "k1", -0.3); });
+  const Rig rig = rig_of(now);
+  ASSERT_EQ(rig.cameras.size(), 2U) << now;
+  EXPECT_EQ(number_of(rig.cameras[0], "k1"), -0.1) << now;
+  EXPECT_EQ(number_of(rig.cameras[1], "k1"), -0.3) << now;
+  EXPECT_EQ(number_of(rig.cameras[1], "k2"), 0.02) << now;
+  EXPECT_EQ(view_of("nerfstudio", now).cameras.size(), 2U) << now;
+}
+
+TEST(Nerfstudio, FramesWithTheSameListAreOneCamera) {
+  const std::string a = std::string(kNumbers) + R"(, "distortion_params": [0.1, 0, 0, 0, 0, 0])";
+  const std::string b = with_replaced(a, "[0.1", "[0.2");
+  const std::string bytes = file("", {frame(a), frame(b), frame(a)});
+  const Rig rig = rig_of(bytes);
+  ASSERT_EQ(rig.cameras.size(), 2U);
+  EXPECT_EQ(number_of(rig.cameras[1], "k1"), 0.2);
+  EXPECT_EQ(view_of("nerfstudio", bytes).cameras.size(), 2U);
+}
+
+// A pinhole to instant-ngp if all were 0.
+TEST(Nerfstudio, AFreshIdealFisheyeStaysOneToInstantNgp) {
+  Rig rig = sample_rig("kb4", {false, false});
+  for (const ParameterId id : {ParameterId("k1"), ParameterId("k2"), ParameterId("k3"), ParameterId("k4")})
+    set(rig, 0, id, 0.0);
+  Diagnostics diagnostics;
+  const std::optional<Written> written = write_calibration(nerfstudio(), nullptr, rig, {}, diagnostics);
+  ASSERT_TRUE(written);
+  const std::string bytes = written->files.front().document.bytes();
+  const consumers::ConsumerView view = view_of("instant-ngp", bytes);
+  EXPECT_TRUE(view.warnings.empty()) << bytes;
+  const Ray ray = {0.8, 0.3, 1.0};
+  const Pixel ours = *project(rig.cameras[0].model, ray);
+  EXPECT_NEAR((*view.cameras.at(0).project(ray))[0], ours[0], 2e-4);
+  EXPECT_TRUE(std::ranges::any_of(written->defaults, [](const DefaultedValue& value) { return value.key.ends_with("k1"); }));
+  // What stands there stays.
+  const std::string base =
+      at_top(R"("is_fisheye": true, "camera_model": "OPENCV_FISHEYE", "k1": 0, "k2": 0, "k3": 0, "k4": 0)");
+  EXPECT_EQ(edited(base, [](Rig&) {}), base);
+}
+
 // ---------------------------------------------------------------- the loaders
+
+TEST(NerfLoaders, OnlyNerfstudioReadsTheList) {
+  const std::string bytes = at_top(R"("distortion_params": [-0.1, 0.02, 0, 0, 0, 0])");
+  EXPECT_TRUE(view_of("nerfstudio", bytes).warnings.empty());
+  for (const char* program : {"instant-ngp", "lichtfeld"}) {
+    const consumers::ConsumerView view = view_of(program, bytes);
+    EXPECT_EQ(codes_of(view.warnings), std::vector{Code::kNerfSaysListNotRead}) << program;
+    EXPECT_TRUE(view.cameras.at(0).misread) << program;
+  }
+  const std::string four = at_top(R"("distortion_params": [-0.1, 0.02, 0, 0])");
+  EXPECT_EQ(codes_of(view_of("nerfstudio", four).refusals), std::vector{Code::kNerfSaysNoList});
+}
+
+// float(meta["fl_x"]) against nlohmann's numbers.
+TEST(NerfLoaders, PythonReadsNumbersInQuotes) {
+  const std::string bytes = with_replaced(at_top(R"("k1": " -1e-1 ")"), "500.0", "\"500.0\"");
+  const consumers::ConsumerView view = view_of("nerfstudio", bytes);
+  ASSERT_EQ(view.cameras.size(), 1U);
+  EXPECT_NEAR((*view.cameras[0].project({1.0, 0.0, 1.0}))[0], 500.0 * 0.9 + 320.5, 2e-4);
+  EXPECT_FALSE(view_of("instant-ngp", bytes).loads());
+  for (const char* wrong : {"\"wide\"", "\"0x10\"", "\"\"", "\"1 2\"", "[500]"})
+    EXPECT_FALSE(view_of("nerfstudio", with_replaced(bytes, "\"500.0\"", wrong)).loads()) << wrong;
+}
+
+TEST(NerfLoaders, ABomIsNoLineOfColmaps) {
+  const std::string bytes = "\xEF\xBB\xBF" + at_top(R"("camera_angle_x": 1.0)");
+  EXPECT_EQ(codes_of(view_of("3dgrut", bytes).refusals), std::vector{Code::kPythonJsonBom});
+  EXPECT_EQ(codes_of(view_of("nerfstudio", bytes).refusals), std::vector{Code::kPythonJsonBom});
+  EXPECT_TRUE(view_of("lichtfeld", bytes).loads());
+  EXPECT_TRUE(view_of("instant-ngp", bytes).loads());
+}
 
 TEST(NerfLoaders, InstantNgpLosesK3AndK4WhereP1AndP2Stand) {
   const std::string fisheye =

@@ -22,6 +22,13 @@ struct Seen {
 };
 
 void add_numbers(const rapidjson::Value& object, std::map<std::string, double>& numbers) {
+  if (object.HasMember("distortion_params") && object["distortion_params"].IsArray()) {
+    const auto& list = object["distortion_params"];
+    const std::vector<std::string> keys = {"k1", "k2", "k3", "k4", "p1", "p2"};
+    for (rapidjson::SizeType i = 0; i < list.Size() && i < keys.size(); ++i) {
+      if (list[i].IsNumber()) numbers.emplace(keys[i], list[i].GetDouble());
+    }
+  }
   for (const auto& member : object.GetObject()) {
     const std::string key = member.name.GetString();
     const bool counts =
