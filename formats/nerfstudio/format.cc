@@ -9,6 +9,7 @@
 #include "read.h"
 
 #include <fca/code.h>
+#include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
@@ -83,6 +84,22 @@ std::string composed(const Rig& rig) {
   return text + "\n  ]\n}\n";
 }
 
+/// Of fisheyes without coefficients that the base does not state so already the first gets one that changes no pixel:
+/// instant-ngp takes them for pinholes. It is listed among the defaults.
+Rig with_coefficients(Rig rig, const std::optional<Rig>& old, Written& written) {
+  constexpr double kTiny = 1e-9;
+  constexpr std::array<ParameterId, 4> kOfFisheye = {"k1", "k2", "k3", "k4"};
+  for (Camera& camera : rig.cameras) {
+    const Camera* before = old ? old->find_camera(camera.name) : nullptr;
+    const auto is_zero = [&camera](ParameterId id) { return parameter(camera.model, id) == 0.0; };
+    if (!is_fisheye(camera) || !std::ranges::all_of(kOfFisheye, is_zero)) continue;
+    if (before != nullptr && before->model == camera.model) continue;
+    set_parameter(camera.model, "k1", kTiny);
+    written.defaults.push_back({camera.name + " k1", Message{Code::kNerfTinyCoefficient, {text::format_real(kTiny)}}});
+  }
+  return rig;
+}
+
 /// Whose file is it? nerfstudio stops where a number is not stated, and knows no is_fisheye.
 std::string program_of(const text::Document& document) {
   const std::optional<text::Document> after = document.edited() ? text::as_edited(document) : std::nullopt;
@@ -117,8 +134,9 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     return std::nullopt;
   if (!are_of_one_kind(rig, diagnostics)) return std::nullopt;
   Written written;
+  const Rig stated = with_coefficients(rig, edits ? old : std::nullopt, written);
   std::optional<text::Document> document =
-      edits ? edited(*base, *old, rig) : text::parse_document({"transforms.json", composed(rig)}, diagnostics);
+      edits ? edited(*base, *old, stated) : text::parse_document({"transforms.json", composed(stated)}, diagnostics);
   if (!document) return std::nullopt;
   const std::string program = program_of(*document);
   written.files.push_back({*std::move(document), {}, {program}});

@@ -60,6 +60,7 @@ std::span<const CodeInfo> nerf_codes() {
       clause(Code::kNerfDemandsSize, "a transforms.json states the size of its images"),
       clause(Code::kNerfNoPlace, "a transforms.json has no place for it"),
       clause(Code::kNerfFramesToAdd, "of your images with their poses, in place of one for each camera"),
+      clause(Code::kNerfTinyCoefficient, "{0}, not 0: instant-ngp takes a fisheye without coefficients for a pinhole"),
       clause(Code::kNerfHeadline, "a transforms.json for nerfstudio and instant-ngp"),
   };
   return kRows;

@@ -768,6 +768,7 @@ enum class Code : std::uint16_t {
   kNerfDemandsSize,
   kNerfNoPlace,
   kNerfFramesToAdd,
+  kNerfTinyCoefficient,
   kNerfHeadline,
 
   // ORB-SLAM3's settings, as read and written.
