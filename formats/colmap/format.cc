@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "colmap.h"
+#include "ids.h"
 #include "lines.h"
 #include "rig_config.h"
 #include "rigs.h"
@@ -44,7 +45,10 @@ constexpr std::array kModels = {
 };
 constexpr std::array kOwnFacts = {OwnFact{"ids of cameras"}};
 
-bool is_whole(const Node& word) { return text::parse_int(word.value).has_value(); }
+/// One that no camera can have, too: its reader says what is wrong with it.
+bool is_id(const Node& word) {
+  return text::parse_int(word.value) || word.value.find_first_not_of("0123456789") == std::string::npos;
+}
 
 bool is_header(const Node& line) { return has_words(line, {kId, "MODEL", "WIDTH", "PARAMS"}); }
 
@@ -56,7 +60,7 @@ ProbeResult probe(const text::Document& document) {
   const std::vector<const Node*> lines = camera_lines(document);
   if (!lines.empty() && lines.front()->items.size() > kFirstParameter) {
     const std::vector<Node>& words = lines.front()->items;
-    if (is_whole(words[0]) && find_model(words[1].value) != nullptr)
+    if (is_id(words[0]) && find_model(words[1].value) != nullptr)
       return {95, Message{Code::kColmapNamedModel, {words[1].value}}};
   }
   if (std::ranges::any_of(document.root().items, is_header)) return {90, Message{Code::kColmapHeader}};
@@ -91,24 +95,20 @@ class CamerasReader {
     }
     Camera camera;
     camera.name = "cam" + std::to_string(rig.cameras.size());
-    const std::optional<int> id = read_id(words[0]);
+    const std::optional<Id> id = read_new_id(words[0]);
     const Model* model = read_model(words[1], reader_);
     camera.image_size = reader_.image_size(words[2], words[3], "image ");
     if (!id || model == nullptr || !camera.image_size || !read_parameters(line, *model, camera)) return false;
-    if (*id != static_cast<int>(rig.cameras.size()) + 1)
-      rig.extra_fields.push_back({camera.name, std::string(kId), std::to_string(*id)});
+    if (*id != rig.cameras.size() + 1) rig.extra_fields.push_back({camera.name, std::string(kId), std::to_string(*id)});
     rig.cameras.push_back(std::move(camera));
     return true;
   }
 
-  std::optional<int> read_id(const Node& word) {
-    const std::optional<int> id = reader_.integer(word, kId);
-    if (!id) return std::nullopt;
-    if (*id < 0 || !ids_.insert(*id).second) {
-      reader_.say(word, *id < 0 ? Code::kColmapNegativeId : Code::kColmapIdTwice, {*id});
-      return std::nullopt;
-    }
-    return id;
+  std::optional<Id> read_new_id(const Node& word) {
+    const std::optional<Id> id = read_id(word, kId, reader_);
+    if (!id || ids_.insert(*id).second) return id;
+    reader_.say(word, Code::kColmapIdTwice, {*id});
+    return std::nullopt;
   }
 
   bool read_parameters(const Node& line, const Model& model, Camera& camera) {
@@ -143,7 +143,7 @@ class CamerasReader {
   }
 
   fields::Reader reader_;
-  std::set<int> ids_;
+  std::set<Id> ids_;
 };
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
@@ -170,7 +170,7 @@ std::string spelled(std::span<const double> numbers, text::Syntax syntax) {
 using Lines = std::vector<std::vector<std::string>>;
 
 /// The words of a fresh file.
-Lines lines_of(const Rig& rig, std::span<const int> ids) {
+Lines lines_of(const Rig& rig, std::span<const Id> ids) {
   Lines lines;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const Camera& camera = rig.cameras[i];
@@ -262,7 +262,7 @@ Rig with_rotations(Rig rig, Written& written) {
 }
 
 /// How the cameras sit to each other, in files beside that of the cameras: for rig_configurator, and as a model has it.
-void add_poses(const Rig& rig, std::span<const int> ids, bool binary, Written& written, Diagnostics& diagnostics) {
+void add_poses(const Rig& rig, std::span<const Id> ids, bool binary, Written& written, Diagnostics& diagnostics) {
   const std::optional<std::string> config = composed_rig_config(rig);
   std::optional<text::Document> document =
       config ? text::parse_document({"rig_config.json", *config}, diagnostics) : std::nullopt;
@@ -304,7 +304,7 @@ bool keeps_syntax(const text::Document& base, std::string_view extension) {
 
 /// A fresh file of cameras. Of the same ones in the other syntax it has the base's models and numbers.
 std::optional<text::Document> composed(const text::Document* base, const std::optional<Rig>& old, const Rig& rig, bool binary,
-                                       std::span<const int> ids, Diagnostics& diagnostics) {
+                                       std::span<const Id> ids, Diagnostics& diagnostics) {
   std::optional<Lines> lines;
   if (base != nullptr && old && !is_rigs(*base) && base->syntax() != text::Syntax::kJson && schema::same_cameras(*old, rig)) {
     const std::optional<text::Document> now = text::as_edited(edited(*base, *old, rig));
@@ -332,7 +332,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
             : !writable_alone(kFormat, rig, Message{Code::kColmapDemandsSize}, diagnostics))
     return std::nullopt;
-  const std::vector<int> ids = camera_ids(rig);
+  const std::vector<Id> ids = camera_ids(rig);
   const bool wants_binary = options.extension == kBinary;
   std::optional<text::Document> document =
       edits ? edited(*base, *old, rig) : composed(options.anew ? nullptr : base, old, rig, wants_binary, ids, diagnostics);

@@ -71,10 +71,15 @@ class RigsReader {
     return word != nullptr ? reader_.integer(*word, what) : std::nullopt;
   }
 
+  std::optional<Id> next_id(std::string_view what) {
+    const Node* word = next(what);
+    return word != nullptr ? read_id(*word, what, reader_) : std::nullopt;
+  }
+
   bool read_rig(const Node& line) {
     words_ = line.items;
     at_ = 0;
-    const std::optional<int> id = next_integer("RIG_ID");
+    const std::optional<Id> id = next_id("RIG_ID");
     if (!id) return false;
     if (!ids_.insert(*id).second) {
       reader_.say(words_[0], Code::kColmapRigIdTwice, {*id});
@@ -100,7 +105,7 @@ class RigsReader {
       reader_.say(*type, Code::kColmapSensorType, {type->value.substr(0, 40)});
       return std::nullopt;
     }
-    const std::optional<int> id = next_integer("the id of a sensor");
+    const std::optional<Id> id = next_id("the id of a sensor");
     if (!id) return std::nullopt;
     const std::string name = type->value + " " + std::to_string(*id);
     if (sensors_.insert(name).second) return name;
@@ -145,18 +150,18 @@ class RigsReader {
   Rig rig_;
   std::span<const Node> words_;  ///< Of the line that is read.
   std::size_t at_ = 0;           ///< The next of them.
-  std::set<int> ids_;
+  std::set<Id> ids_;
   std::set<std::string> sensors_;
 };
 
 /// 2 of "CAMERA 2".
-std::optional<int> id_of(std::string_view frame, std::string_view type) {
+std::optional<Id> id_of(std::string_view frame, std::string_view type) {
   if (!frame.starts_with(type) || frame.substr(type.size(), 1) != " ") return std::nullopt;
-  return text::parse_int(frame.substr(type.size() + 1));
+  return parse_id(frame.substr(type.size() + 1));
 }
 
 /// "cam0" of 1, from which COLMAP counts.
-std::string counted_from_0(std::string_view prefix, int id) { return std::string(prefix) + std::to_string(id - 1); }
+std::string counted_from_0(std::string_view prefix, Id id) { return std::string(prefix) + std::to_string(id - 1); }
 
 /// The seven numbers of each pose of a line that can be read.
 std::vector<std::span<const Node>> poses_in(std::span<const Node> words) {
@@ -208,17 +213,17 @@ std::optional<Rig> read_rigs(const text::Document& document, Diagnostics& diagno
 }
 
 void name_sensors(Rig& rig) {
-  std::map<int, std::string> names;
-  const std::vector<int> ids = camera_ids(rig);
+  std::map<Id, std::string> names;
+  const std::vector<Id> ids = camera_ids(rig);
   for (std::size_t i = 0; i < ids.size(); ++i) names.emplace(ids[i], rig.cameras[i].name);
   const auto rename = [&](std::string& frame) {
-    if (const std::optional<int> id = id_of(frame, kCamera)) {
+    if (const std::optional<Id> id = id_of(frame, kCamera)) {
       if (names.contains(*id)) {
         frame = names.at(*id);
       } else if (rig.cameras.empty() && *id > 0) {
         frame = counted_from_0("cam", *id);
       }
-    } else if (const std::optional<int> imu = id_of(frame, kImu); imu && *imu > 0) {
+    } else if (const std::optional<Id> imu = id_of(frame, kImu); imu && *imu > 0) {
       frame = counted_from_0("imu", *imu);
       rig.add_frame(frame, FrameKind::kImu);
     }
@@ -254,23 +259,7 @@ text::Document edited_rigs(const text::Document& base, const Rig& rig) {
   return document;
 }
 
-std::vector<int> camera_ids(const Rig& rig) {
-  std::vector<int> ids(rig.cameras.size(), -1);
-  std::set<int> taken;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const ExtraField* had = rig.find_extra_field(rig.cameras[i].name, kId);
-    const std::optional<int> id = had != nullptr ? text::parse_int(had->value) : std::nullopt;
-    if (id && *id >= 0 && taken.insert(*id).second) ids[i] = *id;
-  }
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (ids[i] >= 0) continue;
-    ids[i] = static_cast<int>(i) + 1;
-    while (!taken.insert(ids[i]).second) ++ids[i];
-  }
-  return ids;
-}
-
-std::vector<std::vector<std::string>> rig_lines(const Rig& rig, std::span<const int> ids) {
+std::vector<std::vector<std::string>> rig_lines(const Rig& rig, std::span<const Id> ids) {
   std::vector<std::vector<std::string>> lines;
   std::vector<bool> placed(rig.cameras.size());
   bool poses = false;

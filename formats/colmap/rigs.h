@@ -5,6 +5,8 @@
 // does not read them.
 #pragma once
 
+#include "ids.h"
+
 #include <fca/diagnostics.h>
 #include <fca/formats/format.h>
 
@@ -27,13 +29,8 @@ void name_sensors(Rig& rig);
 /// The base with the rig's poses of its sensors, where they are others. Nothing is added to it.
 [[nodiscard]] text::Document edited_rigs(const text::Document& base, const Rig& rig);
 
-/// The numbers that cameras go by: those that they had in a file of cameras, else 1, 2, ...
-[[nodiscard]] std::vector<int> camera_ids(const Rig& rig);
-/// Of a camera's number among the extra fields.
-inline constexpr std::string_view kId = "CAMERA_ID";
-
 /// The words of a fresh file: all cameras, each of which with known poses to others is in a rig with them. Empty where no pose
 /// between cameras is known.
-[[nodiscard]] std::vector<std::vector<std::string>> rig_lines(const Rig& rig, std::span<const int> ids);
+[[nodiscard]] std::vector<std::vector<std::string>> rig_lines(const Rig& rig, std::span<const Id> ids);
 
 }  // namespace fca::colmap

@@ -188,6 +188,22 @@ TEST(Colmap, IdsAreKept) {
   EXPECT_TRUE(without_comments(written_bytes(rig)).starts_with("2 PINHOLE 640 480 500.0 510.0 321.25 239.75\n3 PINHOLE"));
 }
 
+// 32 bits without a sign.
+TEST(Colmap, LargeIdsAreKept) {
+  const std::string lines =
+      "3000000000 PINHOLE 640 480 500.0 510.0 321.25 239.75\n2 PINHOLE 640 480 500.0 510.0 321.25 239.75\n";
+  const Rig rig = rig_of(lines);
+  ASSERT_NE(rig.find_extra_field("cam0", "CAMERA_ID"), nullptr);
+  EXPECT_EQ(without_comments(written_bytes(rig)), lines);
+  // As in the binary file, and in a file of rigs.
+  const std::string rigs = "1 2 CAMERA 3000000000 CAMERA 2 1 1 0 0 0 0.1 0 0\n";
+  Diagnostics diagnostics;
+  const std::optional<Calibration> both =
+      read_calibration({document_of(lines, kName), document_of(rigs, "rigs.txt")}, nullptr, {}, diagnostics);
+  ASSERT_TRUE(both);
+  EXPECT_NE(both->rig.stated("cam1", "cam0"), nullptr);
+}
+
 TEST(Colmap, WhatHasNoPlaceIsLost) {
   Rig rig = sample_rig("radtan", {true, true});
   rig.cameras.front().topic = "/cam0/image_raw";

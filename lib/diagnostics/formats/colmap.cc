@@ -31,9 +31,9 @@ std::span<const CodeInfo> colmap_codes() {
       with_consequence(error(Code::kColmapShortLine, "wrong-count", "{0} words, and a camera has more than four",
                              "write  CAMERA_ID MODEL WIDTH HEIGHT  and the model's parameters"),
                        kStops),
-      with_consequence(
-          error(Code::kColmapNegativeId, "out-of-range", "CAMERA_ID {0} is negative", "images.txt names cameras by ids from 1"),
-          "No image has this camera."),
+      with_consequence(error(Code::kColmapIdRange, "out-of-range", "{0} is {1}, and COLMAP counts from 0 to 4294967294",
+                             "images.txt names cameras by ids from 1"),
+                       "No image has this camera."),
       with_consequence(
           error(Code::kColmapIdTwice, "duplicate-key", "a camera with CAMERA_ID {0} stands above", "give it another id"),
           "COLMAP 4 stops, and 3.8 keeps one of the two."),

@@ -707,7 +707,7 @@ enum class Code : std::uint16_t {
   kColmapWrongSyntax,
   kColmapNoCamera,
   kColmapShortLine,
-  kColmapNegativeId,
+  kColmapIdRange,
   kColmapIdTwice,
   kColmapUnknownModel,
   kColmapModelNotRead,
