@@ -35,17 +35,59 @@ const Node* find(const Node& mapping, std::string_view key) { return text::find(
 
 bool is_true(const Node* node) { return node != nullptr && (node->value == "true" || node->value == "1"); }
 
-/// The list of the first rig's cameras; null if there is none.
-const Node* cameras_of(const Node& root) {
-  if (!root.is_sequence() || root.items.empty() || !root.items.front().is_mapping()) return nullptr;
-  const Node* cameras = find(root.items.front(), kCameras);
-  return cameras != nullptr && cameras->is_sequence() && !cameras->items.empty() ? cameras : nullptr;
+/// The list of a rig's cameras; null if it is none of objects.
+const Node* cameras_of(const Node& rig) {
+  const Node* cameras = rig.is_mapping() ? find(rig, kCameras) : nullptr;
+  const bool is_list = cameras != nullptr && cameras->is_sequence() && !cameras->items.empty() &&
+                       std::ranges::all_of(cameras->items, &Node::is_mapping);
+  return is_list ? cameras : nullptr;
 }
 
+/// "rig/cam0" of "rig/cam0/"
+std::string_view folder_of(std::string_view prefix) {
+  while (prefix.ends_with('/')) prefix.remove_suffix(1);
+  return prefix;
+}
 /// "cam0" of "rig/cam0/"
 std::string last_folder(std::string_view prefix) {
-  while (prefix.ends_with('/')) prefix.remove_suffix(1);
-  return std::string(prefix.substr(prefix.rfind('/') + 1));  // npos + 1 is 0
+  const std::string_view folder = folder_of(prefix);
+  return std::string(folder.substr(folder.rfind('/') + 1));  // npos + 1 is 0
+}
+
+/// What cameras are called whose images are in these folders.
+std::vector<std::string> names_by(const std::vector<std::string>& prefixes) {
+  std::vector<std::string> names;
+  for (const std::string& prefix : prefixes) names.push_back(last_folder(prefix));
+  const std::vector<std::string> last = names;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::ranges::count(last, last[i]) > 1) names[i] = folder_of(prefixes[i]);
+  }
+  return names;
+}
+
+/// A rig of a file that can be read.
+struct StatedRig {
+  const std::vector<Node>& cameras;
+  std::vector<std::string> names;
+  std::string reference;
+};
+
+std::vector<StatedRig> stated_rigs(const Node& root) {
+  std::vector<std::string> prefixes;
+  for (const Node& rig : root.items) {
+    for (const Node& camera : cameras_of(rig)->items) prefixes.push_back(find(camera, kPrefix)->value);
+  }
+  const std::vector<std::string> names = names_by(prefixes);
+  std::vector<StatedRig> rigs;
+  auto name = names.begin();
+  for (const Node& rig : root.items) {
+    rigs.push_back({cameras_of(rig)->items, {}, {}});
+    for (const Node& camera : rigs.back().cameras) {
+      rigs.back().names.push_back(*name++);
+      if (is_true(find(camera, kReference))) rigs.back().reference = rigs.back().names.back();
+    }
+  }
+  return rigs;
 }
 
 /// w x y z
@@ -69,49 +111,55 @@ class RigConfigReader {
 
   std::optional<Rig> run() {
     const Node& root = reader_.document().root();
-    const Node* cameras = cameras_of(root);
-    if (cameras == nullptr || !std::ranges::all_of(cameras->items, &Node::is_mapping)) {
+    const auto is_rig = [](const Node& rig) { return cameras_of(rig) != nullptr; };
+    if (!root.is_sequence() || root.items.empty() || !std::ranges::all_of(root.items, is_rig)) {
       reader_.say(root, Code::kColmapNoRig);
       return std::nullopt;
     }
-    if (root.items.size() > 1) {
-      reader_.say(root.items[1], Code::kColmapSeveralRigs, {root.items.size()});
-      return std::nullopt;
+    std::vector<std::string> folders;
+    for (const Node& rig : root.items) {
+      if (is_of_bundle_adjuster(rig) || !check_cameras(cameras_of(rig)->items, folders)) return std::nullopt;
     }
-    const std::optional<std::string> reference = read_names(cameras->items);
-    if (!reference) return std::nullopt;
     bool good = true;
-    for (std::size_t i = 0; i < cameras->items.size(); ++i) {
-      const Node& camera = cameras->items[i];
-      good = read_pose(camera, names_[i], *reference) && good;
-      good = read_lens_of(camera, names_[i]) && good;
+    for (const StatedRig& rig : stated_rigs(root)) {
+      for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+        const std::string& name = rig.names[i];
+        const std::string& prefix = find(rig.cameras[i], kPrefix)->value;
+        if (prefix != name + "/") rig_.extra_fields.push_back({name, std::string(kPrefix), prefix});
+        good = read_pose(rig.cameras[i], name, rig.reference) && good;
+        good = read_lens_of(rig.cameras[i], name) && good;
+      }
     }
     reader_.warn_of_misspelt();
     return good ? std::optional(std::move(rig_)) : std::nullopt;
   }
 
  private:
-  /// Of all cameras; nothing, with errors, where COLMAP would stop. The result is the reference's.
-  std::optional<std::string> read_names(const std::vector<Node>& cameras) {
+  /// Is it a rig of the program's before 3.12? Then with an error.
+  bool is_of_bundle_adjuster(const Node& rig) {
+    constexpr std::string_view kReferenceId = "ref_camera_id";
+    const text::Entry* entry = text::find_entry(rig, kReferenceId, kDialect);
+    if (entry != nullptr) reader_.say(entry->key, Code::kColmapOldRigs, {kReferenceId});
+    return entry != nullptr;
+  }
+
+  /// Those of one rig; false, with errors, where COLMAP would stop. `folders`: of all that stand above.
+  bool check_cameras(const std::vector<Node>& cameras, std::vector<std::string>& folders) {
     std::vector<const Node*> references;
-    std::string reference;
     for (const Node& camera : cameras) {
       const Node* prefix = reader_.require(camera, kPrefix, "a camera");
-      if (prefix == nullptr) return std::nullopt;
-      const std::string name = last_folder(reader_.name(*prefix, kPrefix));
-      if (name.empty() || std::ranges::find(names_, name) != names_.end()) {
-        reader_.say(*prefix, name.empty() ? Code::kColmapNoFolder : Code::kColmapPrefixTwice, {prefix->value.substr(0, 40)});
-        return std::nullopt;
+      if (prefix == nullptr) return false;
+      const std::string folder(folder_of(reader_.name(*prefix, kPrefix)));
+      if (last_folder(folder).empty() || std::ranges::find(folders, folder) != folders.end()) {
+        reader_.say(*prefix, folder.empty() ? Code::kColmapNoFolder : Code::kColmapPrefixTwice, {prefix->value.substr(0, 40)});
+        return false;
       }
-      names_.push_back(name);
-      if (prefix->value != name + "/") rig_.extra_fields.push_back({name, std::string(kPrefix), prefix->value});
-      if (!is_true(reader_.find(camera, kReference))) continue;
-      references.push_back(&camera);
-      reference = name;
+      folders.push_back(folder);
+      if (is_true(reader_.find(camera, kReference))) references.push_back(&camera);
     }
-    if (references.size() == 1) return reference;
+    if (references.size() == 1) return true;
     reader_.say(references.empty() ? cameras.front() : *references.back(), Code::kColmapReferenceCount, {references.size()});
-    return std::nullopt;
+    return false;
   }
 
   /// Warns of one key of two that count together. Are both there?
@@ -162,7 +210,6 @@ class RigConfigReader {
   fields::Reader reader_;
   const ReadOptions& options_;
   Rig rig_;
-  std::vector<std::string> names_;
 };
 
 /// Of q and -q, which are one rotation, the one that is nearer to `alike`.
@@ -185,6 +232,22 @@ const Model& model_for(const Node& node, const Camera& camera) {
   const Node* name = find(node, kModelName);
   const Model* named = name != nullptr ? find_model(name->value) : nullptr;
   return named != nullptr && parameters_in(*named, camera) ? *named : *written_model(camera.model);
+}
+
+/// The keys and values of a camera of a fresh file.
+std::string lines_of_camera(const Rig& rig, std::size_t index, const std::string& reference) {
+  const Camera& camera = rig.cameras[index];
+  // As cameras.txt, which has no names, is read.
+  std::vector<Field> fields = {fields::quoted(std::string(kPrefix), "cam" + std::to_string(index) + "/")};
+  if (camera.name == reference) fields.push_back(fields::scalar(std::string(kReference), "true"));
+  std::ranges::move(pose_fields(rig, camera.name, reference), std::back_inserter(fields));
+  std::ranges::move(lens_fields(camera, *written_model(camera.model), written_model(camera.model)->name),
+                    std::back_inserter(fields));
+  constexpr std::size_t kInObject = 8;
+  std::string lines;
+  for (const Field& field : fields)
+    lines += (lines.empty() ? "" : ",\n") + fields::spell(field, kInObject, text::Syntax::kJson);
+  return lines;
 }
 
 }  // namespace
@@ -210,9 +273,9 @@ std::array<double, 4> stated_quaternion(const Transform& T, const Quaternion& al
 }
 
 ProbeResult probe_rig_config(const text::Document& document) {
-  const Node* cameras = cameras_of(document.root());
-  if (cameras == nullptr || !cameras->items.front().is_mapping()) return {};
-  const bool named = find(cameras->items.front(), kPrefix) != nullptr;
+  const Node& root = document.root();
+  const Node* cameras = root.is_sequence() && !root.items.empty() ? cameras_of(root.items.front()) : nullptr;
+  const bool named = cameras != nullptr && find(cameras->items.front(), kPrefix) != nullptr;
   return named ? ProbeResult{evidence::kCamera, Message{Code::kColmapRigs}} : ProbeResult{};
 }
 
@@ -221,48 +284,45 @@ std::optional<Rig> read_rig_config(const text::Document& document, const ReadOpt
 }
 
 std::optional<std::string> composed_rig_config(const Rig& rig) {
-  if (rig.cameras.size() < 2) return std::nullopt;
-  const std::string& reference = rig.cameras.front().name;
-  std::string objects;
-  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
-    const Camera& camera = rig.cameras[i];
-    if (!rig.resolve(camera.name, reference)) return std::nullopt;
-    // As cameras.txt, which has no names, is read.
-    std::vector<Field> fields = {fields::quoted(std::string(kPrefix), "cam" + std::to_string(i) + "/")};
-    if (camera.name == reference) fields.push_back(fields::scalar(std::string(kReference), "true"));
-    std::ranges::move(pose_fields(rig, camera.name, reference), std::back_inserter(fields));
-    std::ranges::move(lens_fields(camera, *written_model(camera.model), written_model(camera.model)->name),
-                      std::back_inserter(fields));
-    constexpr std::size_t kInObject = 8;
-    std::string lines;
-    for (const Field& field : fields)
-      lines += (lines.empty() ? "" : ",\n") + fields::spell(field, kInObject, text::Syntax::kJson);
-    objects += (objects.empty() ? "      {\n" : ",\n      {\n") + lines + "\n      }";
+  std::vector<bool> placed(rig.cameras.size());
+  std::string rigs;
+  for (std::size_t first = 0; first < rig.cameras.size(); ++first) {
+    const std::string& reference = rig.cameras[first].name;
+    std::vector<std::size_t> members;
+    for (std::size_t i = first; i < rig.cameras.size(); ++i) {
+      if (!placed[i] && rig.resolve(rig.cameras[i].name, reference)) members.push_back(i);
+    }
+    if (placed[first]) continue;
+    if (members.size() < 2) return std::nullopt;
+    std::string objects;
+    for (const std::size_t i : members) {
+      placed[i] = true;
+      objects += (objects.empty() ? "      {\n" : ",\n      {\n") + lines_of_camera(rig, i, reference) + "\n      }";
+    }
+    rigs += (rigs.empty() ? "  {\n" : ",\n  {\n") + ("    \"cameras\": [\n" + objects) + "\n    ]\n  }";
   }
-  return "[\n  {\n    \"cameras\": [\n" + objects + "\n    ]\n  }\n]\n";
+  return rigs.empty() ? std::nullopt : std::optional("[\n" + rigs + "\n]\n");
 }
 
 text::Document edited_rig_config(const text::Document& base, const Rig& old, const Rig& rig) {
   text::Document document = base;
-  const Node& cameras = *cameras_of(base.root());
-  std::string reference;
-  for (const Node& node : cameras.items) {
-    if (is_true(find(node, kReference))) reference = last_folder(find(node, kPrefix)->value);
-  }
-  for (const Node& node : cameras.items) {
-    const std::string name = last_folder(find(node, kPrefix)->value);
-    const Quaternion alike = stated_rotation(node);
-    std::vector<Field> before = pose_fields(old, name, reference, alike);
-    std::vector<Field> after = pose_fields(rig, name, reference, alike);
-    const Camera* old_camera = old.find_camera(name);
-    const Camera* camera = rig.find_camera(name);
-    if (old_camera != nullptr && camera != nullptr) {
-      const Model& model = model_for(node, *camera);
-      std::ranges::move(lens_fields(*old_camera, model_for(node, *old_camera), find(node, kModelName)->value),
-                        std::back_inserter(before));
-      std::ranges::move(lens_fields(*camera, model, model.name), std::back_inserter(after));
+  for (const StatedRig& stated : stated_rigs(base.root())) {
+    for (std::size_t i = 0; i < stated.cameras.size(); ++i) {
+      const Node& node = stated.cameras[i];
+      const std::string& name = stated.names[i];
+      const Quaternion alike = stated_rotation(node);
+      std::vector<Field> before = pose_fields(old, name, stated.reference, alike);
+      std::vector<Field> after = pose_fields(rig, name, stated.reference, alike);
+      const Camera* old_camera = old.find_camera(name);
+      const Camera* camera = rig.find_camera(name);
+      if (old_camera != nullptr && camera != nullptr) {
+        const Model& model = model_for(node, *camera);
+        std::ranges::move(lens_fields(*old_camera, model_for(node, *old_camera), find(node, kModelName)->value),
+                          std::back_inserter(before));
+        std::ranges::move(lens_fields(*camera, model, model.name), std::back_inserter(after));
+      }
+      fields::apply(document, node, kDialect, before, after);
     }
-    fields::apply(document, node, kDialect, before, after);
   }
   return document;
 }

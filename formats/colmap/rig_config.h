@@ -26,10 +26,12 @@ namespace fca::colmap {
 [[nodiscard]] std::array<double, 4> stated_quaternion(const Transform& T, const Quaternion& alike = {0.0, 0.0, 0.0, 1.0});
 
 [[nodiscard]] ProbeResult probe_rig_config(const text::Document& document);
-/// Cameras are named by the last folder of their prefix. Those without a lens are in poses only.
+/// The cameras of all rigs, each named by the last folder of its prefix, or by all of it where another one's ends alike. Those
+/// without a lens are in poses only.
 [[nodiscard]] std::optional<Rig> read_rig_config(const text::Document& document, const ReadOptions& options,
                                                  Diagnostics& diagnostics);
-/// A fresh one, whose reference is the first camera. Nothing for one camera, or where a pose to the first is not known.
+/// A fresh one: the first camera that is in no rig yet is the reference of all whose poses to it are known. Nothing where a
+/// camera would be alone.
 [[nodiscard]] std::optional<std::string> composed_rig_config(const Rig& rig);
 /// The base, which states `old`, with what `rig` says of the same cameras.
 [[nodiscard]] text::Document edited_rig_config(const text::Document& base, const Rig& old, const Rig& rig);

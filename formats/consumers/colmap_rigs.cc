@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <locale>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -105,9 +106,18 @@ class RigConfig {
     rapidjson::Document document;
     document.Parse<rapidjson::kParseFullPrecisionFlag | rapidjson::kParseIterativeFlag>(bytes.data(), bytes.size());
     if (document.HasParseError() || !document.IsArray()) return refuse(Code::kColmapSaysNoRig);
+    std::vector<const Json*> rigs;
     for (const Json& rig : document.GetArray()) {
       const Json* cameras = rig.IsObject() ? member(rig, "cameras") : nullptr;
       if (cameras == nullptr || !cameras->IsArray()) return refuse(Code::kColmapSaysNoRig);
+      rigs.push_back(cameras);
+      for (const Json& camera : cameras->GetArray()) {
+        const Json* prefix = camera.IsObject() ? member(camera, "image_prefix") : nullptr;
+        if (prefix == nullptr || !prefix->IsString()) return refuse(Code::kColmapSaysNoPrefix);
+        ++last_folders_[last_folder(folder_of(prefix->GetString()))];
+      }
+    }
+    for (const Json* cameras : rigs) {
       read_rig(*cameras);
       if (!view_.loads()) return;
     }
@@ -138,10 +148,18 @@ class RigConfig {
     return value->IsBool() ? value->GetBool() : value->IsInt() && value->GetInt() == 1;
   }
 
-  /// "cam0" of the prefix "rig/cam0/"
-  static std::string name_of(std::string prefix) {
+  /// "rig/cam0" of the prefix "rig/cam0/"
+  static std::string folder_of(std::string prefix) {
     while (prefix.ends_with('/')) prefix.pop_back();
-    return prefix.substr(prefix.rfind('/') + 1);
+    return prefix;
+  }
+  static std::string last_folder(const std::string& folder) { return folder.substr(folder.rfind('/') + 1); }
+
+  /// As fca names the camera: by the last folder of its prefix, by all of it where two end alike.
+  std::string name_of(const std::string& prefix) const {
+    const std::string folder = folder_of(prefix);
+    const std::string last = last_folder(folder);
+    return last_folders_.at(last) > 1 ? folder : last;
   }
 
   void refuse(Code code, std::vector<Argument> arguments = {}) {
@@ -166,11 +184,9 @@ class RigConfig {
     std::size_t references = 0;
     std::string reference;
     for (const Json& camera : cameras.GetArray()) {
-      const Json* prefix = camera.IsObject() ? member(camera, "image_prefix") : nullptr;
-      if (prefix == nullptr || !prefix->IsString()) return refuse(Code::kColmapSaysNoPrefix);
       if (!is_true(member(camera, "ref_sensor"))) continue;
       ++references;
-      reference = name_of(prefix->GetString());
+      reference = name_of(member(camera, "image_prefix")->GetString());
     }
     if (references != 1) return refuse(Code::kColmapSaysReferences, {references});
     for (const Json& camera : cameras.GetArray()) {
@@ -196,6 +212,7 @@ class RigConfig {
   }
 
   ConsumerView& view_;
+  std::map<std::string, int> last_folders_;  ///< Of all cameras' prefixes, and how many end so.
 };
 
 }  // namespace

@@ -49,6 +49,35 @@ TEST(ColmapRig, CamerasWithoutALensAreInPosesAlone) {
   EXPECT_EQ(translation_of(pose(rig, "left", "right")), (std::array{0.0, 0.25, 0.0}));
 }
 
+// Two rigs have a folder "left" each.
+TEST(ColmapRig, SeveralRigsHaveTheirOwnReferences) {
+  const std::string bytes = good("two-rigs.json");
+  Rig rig = rig_of(bytes);
+  ASSERT_EQ(rig.cameras.size(), 4U);
+  EXPECT_EQ(rig.cameras[3].name, "rear/right");
+  EXPECT_EQ(translation_of(pose(rig, "front/right", "front/left")), (std::array{-0.12, 0.0, 0.0}));
+  EXPECT_EQ(translation_of(pose(rig, "rear/right", "rear/left")), (std::array{-0.2, 0.01, 0.005}));
+  EXPECT_FALSE(rig.resolve("rear/left", "front/left"));
+  const consumers::ConsumerView view = consumers::find_consumer("colmap-rig")->load(bytes, {});
+  ASSERT_EQ(view.poses.size(), 2U);
+  EXPECT_EQ(view.poses[1].a, "rear/right");
+
+  for (Camera& camera : rig.cameras) camera.image_size = ImageSize{640, 480};
+  rig.poses[1].T_a_b(0, 3) = -0.25;
+  Diagnostics diagnostics;
+  const text::Document base = document_of(bytes, kName);
+  const std::optional<Written> written = write_calibration(colmap(), &base, rig, {}, diagnostics);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(written->files.front().document.bytes(), with_replaced(bytes, "-0.2,", "-0.25,"));
+  // A fresh file has both again.
+  const std::optional<Written> fresh = write_calibration(colmap(), nullptr, rig, {}, diagnostics);
+  ASSERT_TRUE(fresh);
+  const Rig back = rig_of(fresh->files.at(1).document.bytes());
+  ASSERT_EQ(back.poses.size(), 2U);
+  EXPECT_EQ(back.poses[1].a, "cam3");
+  EXPECT_EQ(back.poses[1].b, "cam2");
+}
+
 // cameras.txt has the lenses and sizes, the file beside it how the cameras sit to each other.
 TEST(ColmapRig, AFreshOneComesBackAndIsWhatColmapHolds) {
   Rig rig = sample_rig("kb4", {true, false});

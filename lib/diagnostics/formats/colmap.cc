@@ -59,8 +59,10 @@ std::span<const CodeInfo> colmap_codes() {
       // rig_config.json
       clause(Code::kColmapRigs, "a list of rigs whose cameras have an image_prefix"),
       with_consequence(error(Code::kColmapNoRig, "wrong-syntax", "no list of rigs, each an object with its cameras"), kNoRig),
-      error(Code::kColmapSeveralRigs, "wrong-count", "{0} rigs stand here, and fca-io reads files of one",
-            "write each rig into a file of its own"),
+      with_consequence(error(Code::kColmapOldRigs, "missing-key",
+                             "{0} is a key of rig_bundle_adjuster's file of rigs, which COLMAP read until version 3.11",
+                             "write  \"ref_sensor\": true  for the reference, and no ids of cameras"),
+                       kNoRig),
       error(Code::kColmapNoFolder, "out-of-range", "image_prefix is no folder of images: '{0}'",
             "the folder with a '/' behind it"),
       with_consequence(

@@ -722,7 +722,7 @@ enum class Code : std::uint16_t {
   kColmapHeadline,
   kColmapRigs,
   kColmapNoRig,
-  kColmapSeveralRigs,
+  kColmapOldRigs,
   kColmapNoFolder,
   kColmapPrefixTwice,
   kColmapReferenceCount,

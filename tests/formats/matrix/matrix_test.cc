@@ -332,7 +332,7 @@ bool holds_no_camera(const fs::path& path) {
 /// Of our own files that state no size.
 std::optional<Size> size_of_sizeless(const fs::path& path) {
   static const std::map<std::string, Size> sizes = {
-      {"k1d1.yml", {640, 360}}, {"stereo-14.yml", {640, 480}}, {"rig-config.json", {640, 480}}};
+      {"k1d1.yml", {640, 360}}, {"stereo-14.yml", {640, 480}}, {"rig-config.json", {640, 480}}, {"two-rigs.json", {640, 480}}};
   const auto found = sizes.find(path.filename().string());
   return found == sizes.end() ? std::nullopt : std::optional(found->second);
 }

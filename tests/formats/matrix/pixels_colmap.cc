@@ -132,13 +132,16 @@ rapidjson::Document rigs_in(const std::string& bytes) {
 
 std::optional<PixelFormula> camera_of_rig(const std::string& bytes, std::size_t index) {
   const rapidjson::Document rigs = rigs_in(bytes);
-  const rapidjson::Value& cameras = rigs[0]["cameras"];
-  if (index >= cameras.Size()) return std::nullopt;
-  const rapidjson::Value& camera = cameras[static_cast<rapidjson::SizeType>(index)];
-  if (!camera.HasMember("camera_params")) return std::nullopt;
-  std::vector<double> numbers;
-  for (const rapidjson::Value& number : camera["camera_params"].GetArray()) numbers.push_back(number.GetDouble());
-  return formula_of(camera["camera_model_name"].GetString(), numbers);
+  for (const rapidjson::Value& rig : rigs.GetArray()) {
+    for (const rapidjson::Value& camera : rig["cameras"].GetArray()) {
+      if (index-- > 0) continue;
+      if (!camera.HasMember("camera_params")) return std::nullopt;
+      std::vector<double> numbers;
+      for (const rapidjson::Value& number : camera["camera_params"].GetArray()) numbers.push_back(number.GetDouble());
+      return formula_of(camera["camera_model_name"].GetString(), numbers);
+    }
+  }
+  return std::nullopt;
 }
 
 constexpr std::size_t kOfCount = 8;
