@@ -134,6 +134,10 @@ bool read_lens(std::span<const text::Node> numbers, const Model& model, Camera& 
     for (const ParameterId id : set_by(model, i)) {
       const std::optional<double> value = reader.real(numbers[i], id.name());
       if (!value) return false;
+      if (model.name == "EUCM" && id == ParameterId("alpha") && !(*value >= 0.0 && *value <= 1.0)) {
+        reader.say(numbers[i], Code::kColmapEucmAlpha, {*value});
+        return false;
+      }
       good = good && reader.parameter(numbers[i], camera.name, id, parameter_of(id, *value), camera.model);
     }
   }

@@ -45,6 +45,8 @@ std::span<const CodeInfo> colmap_codes() {
       with_consequence(error(Code::kColmapParameterCount, "wrong-count", "{0} has {1} parameters, and {2} numbers stand here",
                              "they are  {3}"),
                        kStops),
+      with_consequence(error(Code::kColmapEucmAlpha, "out-of-range", "alpha is {0}, and EUCM's lies from 0 to 1"),
+                       "COLMAP reads the line, but its mapper drops the camera and its images."),
       about_reader(warning(Code::kColmapAfterParameters, "program-refuses",
                            "'{0}' after the parameters: COLMAP 3.8 stops, and 4 ignores it", "remove it")),
       about_reader(warning(Code::kColmapBlanks, "program-refuses",

@@ -714,6 +714,7 @@ enum class Code : std::uint16_t {
   kColmapThinPrism,
   kColmapEquirectangular,
   kColmapParameterCount,
+  kColmapEucmAlpha,
   kColmapAfterParameters,
   kColmapBlanks,
   kColmapDemandsSize,
