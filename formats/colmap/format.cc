@@ -212,18 +212,20 @@ constexpr std::string_view kHeadOfRigs =
     "#   RIG_ID, NUM_SENSORS, REF_SENSOR_TYPE, REF_SENSOR_ID, SENSORS[] as (SENSOR_TYPE, SENSOR_ID, HAS_POSE, [QW, QX, QY, QZ, "
     "TX, TY, TZ])\n# Number of rigs: ";
 
-/// The line with other numbers, and another model where its own cannot hold them.
-void edit_line(text::Document& document, const Node& line, const Camera& old, const Camera& camera) {
+/// The line with other numbers, and another model where its own cannot hold them or is none of `taken` (empty: all are).
+void edit_line(text::Document& document, const Node& line, const Camera& old, const Camera& camera,
+               std::span<const std::string_view> taken) {
   const std::vector<Node>& words = line.items;
   if (old.image_size != camera.image_size) {
     fields::set_scalar(document, words[2], std::to_string(camera.image_size->width));
     fields::set_scalar(document, words[3], std::to_string(camera.image_size->height));
   }
-  if (old.model == camera.model) return;
   const Model& named = *find_model(words[1].value);
+  const bool is_taken = taken.empty() || std::ranges::find(taken, named.name) != taken.end();
+  if (old.model == camera.model && is_taken) return;
   const std::optional<std::vector<double>> before = parameters_in(named, old);
   const std::optional<std::vector<double>> after = parameters_in(named, camera);
-  if (!before || !after) {
+  if (!before || !after || !is_taken) {
     const Model& model = *written_model(camera.model);
     const text::Span first = words[kFirstParameter].span;
     const text::Span last = words[kFirstParameter + named.parameters() - 1].span;
@@ -239,12 +241,12 @@ void edit_line(text::Document& document, const Node& line, const Camera& old, co
 }
 
 /// The base, of the same cameras, with what the rig says otherwise.
-text::Document edited(const text::Document& base, const Rig& old, const Rig& rig) {
+text::Document edited(const text::Document& base, const Rig& old, const Rig& rig, std::span<const std::string_view> taken) {
   if (base.syntax() == text::Syntax::kJson) return edited_rig_config(base, old, rig);
   if (is_rigs(base)) return edited_rigs(base, rig);
   text::Document document = base;
   const std::vector<const Node*> lines = camera_lines(base);
-  for (std::size_t i = 0; i < lines.size(); ++i) edit_line(document, *lines[i], old.cameras[i], rig.cameras[i]);
+  for (std::size_t i = 0; i < lines.size(); ++i) edit_line(document, *lines[i], old.cameras[i], rig.cameras[i], taken);
   return document;
 }
 
@@ -304,10 +306,11 @@ bool keeps_syntax(const text::Document& base, std::string_view extension) {
 
 /// A fresh file of cameras. Of the same ones in the other syntax it has the base's models and numbers.
 std::optional<text::Document> composed(const text::Document* base, const std::optional<Rig>& old, const Rig& rig, bool binary,
-                                       std::span<const Id> ids, Diagnostics& diagnostics) {
+                                       std::span<const Id> ids, std::span<const std::string_view> taken,
+                                       Diagnostics& diagnostics) {
   std::optional<Lines> lines;
   if (base != nullptr && old && !is_rigs(*base) && base->syntax() != text::Syntax::kJson && schema::same_cameras(*old, rig)) {
-    const std::optional<text::Document> now = text::as_edited(edited(*base, *old, rig));
+    const std::optional<text::Document> now = text::as_edited(edited(*base, *old, rig, taken));
     if (now) lines = lines_of(*now);
   }
   if (!lines) lines = lines_of(rig, ids);
@@ -335,7 +338,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   const std::vector<Id> ids = camera_ids(rig);
   const bool wants_binary = options.extension == kBinary;
   std::optional<text::Document> document =
-      edits ? edited(*base, *old, rig) : composed(options.anew ? nullptr : base, old, rig, wants_binary, ids, diagnostics);
+      edits ? edited(*base, *old, rig, options.models_taken)
+            : composed(options.anew ? nullptr : base, old, rig, wants_binary, ids, options.models_taken, diagnostics);
   if (!document) return std::nullopt;
   Written written;
   const bool is_rig_config = document->syntax() == text::Syntax::kJson;

@@ -205,6 +205,14 @@ TEST(ModelFolder, BinaryIsWrittenByItsExtension) {
   EXPECT_EQ(read_file(folder / "a.bin"), good("lenses.bin"));
 }
 
+TEST(ModelFolder, GsplatGetsAModelThatItTakes) {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("in.txt", "1 SIMPLE_RADIAL_FISHEYE 640 480 300 320 240 0\n");
+  const RunResult run = run_program({"convert", input, "--to", "gsplat", "-o", "-"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("1 OPENCV_FISHEYE "), std::string::npos) << run.out;
+}
+
 // There are no lines in it.
 TEST(ModelFolder, PlacesInBinaryFilesAreBytes) {
   const std::string bad = testdata("formats/colmap/bad/fx-nan.bin");

@@ -204,6 +204,23 @@ TEST(Colmap, LargeIdsAreKept) {
   EXPECT_NE(both->rig.stated("cam1", "cam0"), nullptr);
 }
 
+// gsplat reads OPENCV_FISHEYE and no simpler fisheye.
+TEST(Colmap, ALineGetsAModelThatTheProgramTakes) {
+  const std::string line =
+      "1 SIMPLE_RADIAL_FISHEYE 640 480 300.0 320.5 240.5 0.0\n2 SIMPLE_RADIAL 640 480 300.0 320.5 240.5 0.1\n";
+  const text::Document base = document_of(line, kName);
+  WriteOptions options;
+  options.models_taken = consumers::find_consumer("gsplat")->writing.models_taken;
+  Diagnostics diagnostics;
+  const std::optional<Written> written = write_calibration(colmap(), &base, rig_of(line), options, diagnostics);
+  ASSERT_TRUE(written);
+  const std::string bytes = written->files.front().document.bytes();
+  EXPECT_EQ(bytes,
+            "1 OPENCV_FISHEYE 640 480 300.0 300.0 320.5 240.5 0.0 0.0 0.0 0.0\n"
+            "2 SIMPLE_RADIAL 640 480 300.0 320.5 240.5 0.1\n");
+  EXPECT_TRUE(consumers::find_consumer("gsplat")->load(bytes, {}).loads());
+}
+
 TEST(Colmap, WhatHasNoPlaceIsLost) {
   Rig rig = sample_rig("radtan", {true, true});
   rig.cameras.front().topic = "/cam0/image_raw";

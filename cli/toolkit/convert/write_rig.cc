@@ -23,6 +23,7 @@ WriteOptions write_options(const ConvertRequest& request, const Base& base, std:
   options.anew = request.rewrite;
   options.adopted = base.adopted;
   options.extension = request.extension;
+  if (request.program != nullptr) options.models_taken = request.program->writing.models_taken;
   options.lenses_alone = request.program != nullptr && request.program->writing.lenses_alone;
   return options;
 }

@@ -102,6 +102,8 @@ struct WriteOptions {
   std::vector<std::string> replaced = {};
   /// All files of the input that is edited, of which one is the base: another may go along (COLMAP's rigs).
   std::span<const text::Document> input = {};
+  /// The file's names of the models that a program takes, for one that reads fewer than the format stores; empty: all.
+  std::span<const std::string_view> models_taken = {};
   bool lenses_alone = false;  ///< For a program that reads nothing of how cameras sit to each other.
   bool adopted = false;  ///< The base was read as another format of the same layout: a camchain that is to become TUM-VI's.
 };
