@@ -375,9 +375,18 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   return written;
 }
 
+/// The model that the file names for its camera number `index`; that of a fresh line where it names none that holds the lens.
+const Model& model_in(const text::Document& file, std::size_t index, const Camera& camera) {
+  const bool has_lines = file.syntax() == text::Syntax::kWords || file.syntax() == text::Syntax::kBinary;
+  const std::vector<const Node*> lines = has_lines && !is_rigs(file) ? camera_lines(file) : std::vector<const Node*>();
+  const Model* named =
+      index < lines.size() && lines[index]->items.size() > 1 ? find_model(lines[index]->items[1].value) : nullptr;
+  return named != nullptr && parameters_in(*named, camera) ? *named : *written_model(camera.model);
+}
+
 /// For COLMAP's feature_extractor, which takes sizes from the images (controllers/image_reader.cc).
-std::string arguments(const Camera& camera) {
-  const Model& model = *written_model(camera.model);
+std::string arguments(const Camera& camera, const text::Document& file, std::size_t index) {
+  const Model& model = model_in(file, index, camera);
   const std::vector<double> numbers = parameters_in(model, camera).value();
   std::string list;
   for (const double number : numbers) list += (list.empty() ? "" : ",") + text::format_real(number);

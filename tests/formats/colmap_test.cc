@@ -221,6 +221,16 @@ TEST(Colmap, ALineGetsAModelThatTheProgramTakes) {
   EXPECT_TRUE(consumers::find_consumer("gsplat")->load(bytes, {}).loads());
 }
 
+// The verdict is of the file; what is printed says the same by the same name.
+TEST(Colmap, ArgumentsNameTheModelOfTheFile) {
+  for (const auto& [line, words] : {std::pair("1 SIMPLE_RADIAL 640 480 500.0 320.5 240.5 -0.1\n", "SIMPLE_RADIAL"),
+                                    {"1 SIMPLE_DIVISION 640 480 500.0 320.5 240.5 -0.1\n", "SIMPLE_DIVISION"}}) {
+    const std::string expected =
+        std::string("--ImageReader.camera_model ") + words + " --ImageReader.camera_params 500.0,320.5,240.5,-0.1";
+    EXPECT_EQ(colmap().arguments(rig_of(line).cameras[0], document_of(line, kName), 0), expected);
+  }
+}
+
 TEST(Colmap, WhatHasNoPlaceIsLost) {
   Rig rig = sample_rig("radtan", {true, true});
   rig.cameras.front().topic = "/cam0/image_raw";

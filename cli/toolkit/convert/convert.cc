@@ -6,6 +6,7 @@
 #include "models/model_advice.h"
 
 #include <fca/code.h>
+#include <fca/formats/text/read_document.h>
 #include <fca/formats/verdict.h>
 #include <fca/formats/wording.h>
 #include <fca/toolkit/convert.h>
@@ -232,10 +233,14 @@ bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
 
 /// The cameras as the program takes them on its command line.
 void write_arguments(ConvertResult& result) {
+  const ConvertedFile& written = result.files.front();
+  Diagnostics ignored;
+  const text::Document file = text::parse_document({written.name, written.bytes}, ignored).value();
   ConvertedFile printed;
   for (const ConvertedCamera& camera : result.cameras) {
     if (result.cameras.size() > 1) printed.bytes += "# " + camera.name() + "\n";
-    printed.bytes += result.to->arguments(camera.target) + "\n";
+    const auto place = std::ranges::find(written.cameras, camera.source.name) - written.cameras.begin();
+    printed.bytes += result.to->arguments(camera.target, file, static_cast<std::size_t>(place)) + "\n";
     printed.cameras.push_back(camera.source.name);
   }
   result.files = {std::move(printed)};

@@ -232,8 +232,9 @@ struct Format {
   /// above the other. Null: of no model.
   bool (*matches_along_rows)(std::string_view model) = nullptr;
 
-  /// A camera as arguments of its program's command line: "--ImageReader.camera_model OPENCV ...". Null: it takes none.
-  std::string (*arguments)(const Camera& camera) = nullptr;
+  /// A camera as arguments of its program's command line, "--ImageReader.camera_model OPENCV ...", with the model by which the
+  /// written `file` calls its camera number `index`. Null: it takes none.
+  std::string (*arguments)(const Camera& camera, const text::Document& file, std::size_t index) = nullptr;
 
   /// Gives the cameras of a rig, once all of its files are read, what a file without cameras says of them (Kimera's
   /// imu_time_shift). Null: none does.
