@@ -62,6 +62,12 @@ std::string with_names_of(const std::string& input, const std::string& camera, c
   return replaced(path, "{camera}", as_file_name(camera));
 }
 
+bool names_binary_folder(const OutputPlace& place, const Format* to) {
+  const fs::path path = place.path;
+  return place.kind == OutputPlace::Kind::kFile && to != nullptr && !to->binary_file.empty() && path.has_parent_path() &&
+         path.filename() == to->binary_file;
+}
+
 void make_folder_of(const std::string& path, const OutputPlace& place) {
   if (!place.holds_many()) return;
   std::error_code error;  // what is wrong with the folder, writing into it will tell
@@ -95,7 +101,8 @@ std::string output_path(const OutputPlace& place, const std::string& input, cons
   }
   if (place.kind == OutputPlace::Kind::kPattern)
     return replaced(with_names_of(input, joined(file.cameras), place.path), "{format}", result.to->id);
-  if (place.kind == OutputPlace::Kind::kFile) return place.path;
+  if (place.kind == OutputPlace::Kind::kFile)
+    return index == 0 || file.place.empty() ? place.path : (fs::path(place.path).parent_path() / file.place).string();
   const fs::path folder = place.path;
   const fs::path proposal = file.name;
   if (!file.place.empty()) return in_folder(folder, file.place);

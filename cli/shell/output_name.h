@@ -40,6 +40,10 @@ inline constexpr std::array<std::string_view, 5> kPlaceholders = {"{stem}", "{ex
 /// {camera}: a name that may hold anything.
 [[nodiscard]] std::string with_names_of(const std::string& input, const std::string& camera, const std::string& pattern);
 
+/// Is it the file that a folder of the format's binary files has its cameras in, "sparse/0/cameras.bin"? It stands for that
+/// folder. `to`: null, of a base's own format.
+[[nodiscard]] bool names_binary_folder(const OutputPlace& place, const Format* to);
+
 /// Makes the folder of `path`, which need not be there yet where `place` holds many.
 void make_folder_of(const std::string& path, const OutputPlace& place);
 

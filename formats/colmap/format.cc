@@ -28,6 +28,7 @@ using text::Node;
 namespace {
 
 constexpr std::string_view kCamerasFile = "cameras.txt";
+constexpr std::string_view kBinaryFile = "cameras.bin";
 constexpr std::string_view kBinary = ".bin";  // the extension
 constexpr std::string_view kReadBy = "COLMAP (rays inside 90 deg)";
 
@@ -315,7 +316,7 @@ std::optional<text::Document> composed(const text::Document* base, const std::op
   }
   if (!lines) lines = lines_of(rig, ids);
   if (!binary) return text::parse_document({std::string(kCamerasFile), as_text(kHeadOfCameras, *lines)}, diagnostics);
-  return text::parse_document({"cameras.bin", text::binary_file(text::kCamerasTag, *lines)}, diagnostics);
+  return text::parse_document({std::string(kBinaryFile), text::binary_file(text::kCamerasTag, *lines)}, diagnostics);
 }
 
 /// As the base says it.
@@ -369,7 +370,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (written.files.size() == 1 && !of_rigs) written.sensor = kLensAlone;
   if (edits && written.files.size() == 1) return written;
   add_fillers(is_binary, written, diagnostics);
-  if (edits) written.files.front().place = is_binary ? "cameras.bin" : kCamerasFile;
+  if (edits) written.files.front().place = is_binary ? kBinaryFile : kCamerasFile;
   for (Written::File& file : written.files)
     if (file.place.empty()) file.place = file.document.source().name;
   return written;
@@ -402,6 +403,7 @@ const Format kFormat = {
     .extension = ".txt",
     .program = "COLMAP",
     .main_file = kCamerasFile,
+    .binary_file = kBinaryFile,
     .reader_warns = true,
     .many_cameras = true,
     .extrinsics = true,

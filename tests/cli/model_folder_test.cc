@@ -205,6 +205,19 @@ TEST(ModelFolder, BinaryIsWrittenByItsExtension) {
   EXPECT_EQ(read_file(folder / "a.bin"), good("lenses.bin"));
 }
 
+// A folder of binary files is named by its cameras.
+TEST(ModelFolder, IsWrittenInBinaryByTheNameOfItsCameras) {
+  const TemporaryFolder folder;
+  const RunResult run = run_program({"convert", kTumvi, "--to", "colmap", "-o", folder / "cameras.bin"});
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  std::set<std::string> names;
+  for (const auto& [name, bytes] : files_in(folder.path())) names.insert(name);
+  EXPECT_EQ(names, (std::set<std::string>{"cameras.bin", "images.bin", "points3D.bin", "rig_config.json", "rigs.bin"}));
+  const RunResult back = run_program({"convert", folder.path().string(), "--to", "kalibr", "-o", "-"});
+  EXPECT_EQ(back.code, 0) << back.err;
+  EXPECT_TRUE(rig_in(back.out).resolve("cam1", "cam0"));
+}
+
 TEST(ModelFolder, GsplatGetsAModelThatItTakes) {
   const TemporaryFolder folder;
   const std::string input = folder.write("in.txt", "1 SIMPLE_RADIAL_FISHEYE 640 480 300 320 240 0\n");

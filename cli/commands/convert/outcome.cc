@@ -22,7 +22,8 @@ OutputRoom room(const ConvertArguments& arguments) {
   const OutputPlace& output = arguments.output;
   OutputRoom result;
   result.named_files = arguments.json || arguments.in_place || !output.is_standard_output();
-  result.further_files = output.kind == OutputPlace::Kind::kFolder || output.is_folder_pattern();
+  result.further_files = output.kind == OutputPlace::Kind::kFolder || output.is_folder_pattern() ||
+                         names_binary_folder(output, arguments.request.to);
   result.fillers = result.further_files && (arguments.one_input || output.is_folder_pattern());
   result.given_parts = !arguments.in_place && (!output.is_said() || output.is_standard_output());
   result.camera_files = result.further_files || (!output.is_said() && arguments.json) || output.names_camera();
