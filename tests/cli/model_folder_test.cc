@@ -218,6 +218,13 @@ TEST(ModelFolder, IsWrittenInBinaryByTheNameOfItsCameras) {
   EXPECT_TRUE(rig_in(back.out).resolve("cam1", "cam0"));
 }
 
+TEST(ModelFolder, ShowReadsCamerasThatAreAlone) {
+  const TemporaryFolder folder;
+  folder.write("cameras.txt", good("fov.txt"));
+  const RunResult run = run_program({"show", folder.path().string()});
+  EXPECT_EQ(run.code, 0) << run.err;
+}
+
 TEST(ModelFolder, GsplatGetsAModelThatItTakes) {
   const TemporaryFolder folder;
   const std::string input = folder.write("in.txt", "1 SIMPLE_RADIAL_FISHEYE 640 480 300 320 240 0\n");

@@ -138,7 +138,9 @@ std::string readers_text(const Readers& readers) {
 /// What a part without cameras holds: Kalibr's imu.yaml, stereo_calib's extrinsics.yml.
 std::string parts_in_words(const Rig& rig) {
   if (!rig.cameras.empty()) return "";
-  return rig.imus.empty() ? ", a pose without cameras" : ", an IMU without cameras";
+  if (!rig.imus.empty()) return ", an IMU without cameras";
+  if (rig.poses.empty()) return ", without cameras and poses";
+  return rig.poses.size() == 1 ? ", a pose without cameras" : ", poses without cameras";
 }
 
 /// "ready, for Kalibr; ", or "ready (mono) and do not use (stereo), for ORB-SLAM3 V1.0; ".

@@ -149,7 +149,7 @@ Inputs with_rig_files(const Inputs& inputs) {
     }
     result.join = result.join || !files.empty();
     result.files.insert(result.files.end(), files.begin(), files.end());
-    if (files.empty()) result.files.push_back(path);
+    if (files.empty()) result.files.push_back(cameras_file_in(path).value_or(path));
   }
   return result;
 }

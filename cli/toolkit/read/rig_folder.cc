@@ -50,6 +50,16 @@ void add_sensors(const fs::path& folder, std::string_view prefix, std::vector<st
   for (auto& [number, file] : found) files.push_back(std::move(file));
 }
 
+/// A file of a COLMAP model, "cameras" with ".bin".
+bool has_model_file(const fs::path& folder, std::string_view name, const std::string& extension) {
+  return is_file(folder / (std::string(name) + extension));
+}
+
+bool is_whole_model(const fs::path& folder, const std::string& extension) {
+  constexpr std::array<std::string_view, 3> kNeeded = {"cameras", "images", "points3D"};
+  return std::ranges::all_of(kNeeded, [&](std::string_view name) { return has_model_file(folder, name, extension); });
+}
+
 }  // namespace
 
 std::vector<std::string> rig_files_in(const std::string& folder) {
@@ -79,21 +89,25 @@ std::string rig_name(const std::string& path) {
   return (has_parent ? folder.parent_path() : folder).string();
 }
 
-std::vector<std::string> model_files_in(const std::string& folder) {
+std::optional<std::string> cameras_file_in(const std::string& folder) {
   std::error_code ignored;
-  if (folder.empty() || !fs::is_directory(folder, ignored)) return {};
-  const auto has = [&folder](std::string_view name, const std::string& extension) {
-    return is_file(fs::path(folder) / (std::string(name) + extension));
-  };
-  const auto is_whole = [&has](const std::string& extension) {
-    return has("cameras", extension) && has("images", extension) && has("points3D", extension);
-  };
+  if (folder.empty() || !fs::is_directory(folder, ignored)) return std::nullopt;
   // COLMAP opens whole folders alone, and of two kinds the binary one (colmap@5d968cf, scene/reconstruction.cc, Read).
-  std::string kind = is_whole(".bin") || !is_whole(".txt") ? ".bin" : ".txt";
-  if (!has("cameras", kind)) kind = ".txt";
-  if (!has("cameras", kind) || !(has("images", kind) || has("points3D", kind) || has("rigs", kind))) return {};
-  std::vector<std::string> files = {(fs::path(folder) / ("cameras" + kind)).string()};
-  if (has("rigs", kind)) files.push_back((fs::path(folder) / ("rigs" + kind)).string());
+  const bool is_text = !is_whole_model(folder, ".bin") && is_whole_model(folder, ".txt");
+  std::string kind = is_text ? ".txt" : ".bin";
+  if (!has_model_file(folder, "cameras", kind)) kind = ".txt";
+  return has_model_file(folder, "cameras", kind) ? std::optional((fs::path(folder) / ("cameras" + kind)).string())
+                                                 : std::nullopt;
+}
+
+std::vector<std::string> model_files_in(const std::string& folder) {
+  const std::optional<std::string> cameras = cameras_file_in(folder);
+  if (!cameras) return {};
+  const std::string kind = fs::path(*cameras).extension().string();
+  const auto has = [&](std::string_view name) { return has_model_file(folder, name, kind); };
+  if (!has("images") && !has("points3D") && !has("rigs")) return {};
+  std::vector<std::string> files = {*cameras};
+  if (has("rigs")) files.push_back((fs::path(folder) / ("rigs" + kind)).string());
   return files;
 }
 

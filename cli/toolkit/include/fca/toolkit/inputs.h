@@ -73,6 +73,10 @@ struct Inputs {
 /// it is there. Of cameras.bin and cameras.txt it is the one that COLMAP reads. Empty of any other path.
 [[nodiscard]] std::vector<std::string> model_files_in(const std::string& folder);
 
+/// The file of cameras in a folder, alone or not: of COLMAP's cameras.bin and cameras.txt the one that COLMAP reads. Nothing of
+/// any other path.
+[[nodiscard]] std::optional<std::string> cameras_file_in(const std::string& folder);
+
 /// As the readers of formats take them.
 [[nodiscard]] ReadOptions read_options(const Inputs& inputs);
 
