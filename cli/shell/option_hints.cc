@@ -32,6 +32,7 @@ constexpr std::array kHints = {
     OptionHint{Code::kGiveFileAndUnit, text::Part::kText,
                "give a file that states it, too (--with FILE), and say the unit of translations (--unit m, cm or mm)"},
     OptionHint{Code::kGiveLengthUnit, text::Part::kText, "say in which unit they are: --unit m, --unit cm or --unit mm"},
+    OptionHint{Code::kNerfNeedsSize, text::Part::kFix, "write w and h, in pixels, or give them: --size WIDTHxHEIGHT"},
     OptionHint{Code::kImageSizeNotKnown, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
     OptionHint{Code::kNoPixelInTheLens, text::Part::kFix, "a larger --max-angle"},
     OptionHint{Code::kTargetCannotReach, text::Part::kFix,

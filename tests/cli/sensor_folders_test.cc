@@ -53,6 +53,15 @@ TEST(SensorFolders, EurocIsWrittenAsADataset) {
   }
 }
 
+// Each is called sensor.yaml.
+TEST(SensorFolders, TheCommentTellsTheFilesApart) {
+  const TemporaryFolder folder;
+  const RunResult run = run_program({"convert", euroc_folder(folder), "--to", "kalibr", "-o", "-"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const char* name : {"cam0/sensor.yaml, SHA-256", "cam1/sensor.yaml, SHA-256", "imu0/sensor.yaml, SHA-256"})
+    EXPECT_TRUE(contains(run.out, name)) << name << run.out;
+}
+
 TEST(SensorFolders, AFolderMav0IsNotNested) {
   const TemporaryFolder folder;
   EXPECT_EQ(run_program({"convert", kTumvi, "--to", "euroc", "-o", (folder / "mav0") + "/"}).code, 0);
@@ -63,7 +72,8 @@ TEST(SensorFolders, OneFileOfAFolderIsEdited) {
   const TemporaryFolder base;
   const TemporaryFolder out;
   const RunResult run = run_program({"convert", kTumvi, "--to", "kimera", "--into", kimera_folder(base), "-o", out / "o/"});
-  EXPECT_EQ(run.code, 4) << run.out << run.err;
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_TRUE(says(run.err, "into-folder", "RightCameraParams.yaml")) << run.err;
   EXPECT_TRUE(files_below(out.path()).empty());
 }
 

@@ -11,8 +11,8 @@
 namespace fca {
 
 std::optional<Calibration> read_into(const ConvertRequest& request, Files& files, ConvertResult& result) {
-  if (!rig_files_in(request.into).empty()) {  // one file is edited, and no folder of them
-    result.diagnostics.add(Code::kFileUnreadable, {Message{Code::kFileIsDirectory}}, {request.into, 0, 0});
+  if (const std::vector<std::string> sensors = rig_files_in(request.into); !sensors.empty()) {
+    result.diagnostics.add(Code::kIntoFolder, {sensors.size(), sensors}, {request.into, 0, 0});
     result.status = Status::kBadRequest;
     return std::nullopt;
   }

@@ -62,13 +62,22 @@ std::string camera_line(const ConvertedCamera& camera, bool other_images) {
          text::format_short(camera.report->scored_to_deg, 4) + " deg from the axis";
 }
 
+/// "camchain.yaml"; of several files of one name "cam0/sensor.yaml".
+std::string name_among(const std::vector<text::Document>& documents, const text::Document& document) {
+  const std::filesystem::path path = document.source().name;
+  const auto same = std::ranges::count_if(documents, [&path](const text::Document& each) {
+    return std::filesystem::path(each.source().name).filename() == path.filename();
+  });
+  const bool is_apart = same > 1 && path.has_parent_path();
+  return (is_apart ? path.parent_path().filename() / path.filename() : path.filename()).string();
+}
+
 std::vector<std::string> lines_for(const Written::File& file, const ConvertRequest& request, const Calibration& calibration,
                                    const ConvertResult& result) {
   std::vector<std::string> lines = {std::string(kFirstWords) + FCA_VERSION + " from"};
   for (const text::Document& document : calibration.documents) {
     const text::Source& source = document.source();
-    const std::string name = std::filesystem::path(source.name).filename().string();
-    lines.push_back("  " + name + std::string(kHash) + sha256(source.bytes));
+    lines.push_back("  " + name_among(calibration.documents, document) + std::string(kHash) + sha256(source.bytes));
   }
   // What the base said of itself goes; what it was does not.
   if (!request.into.empty()) {

@@ -47,6 +47,8 @@ std::span<const CodeInfo> convert_codes() {
       bad_request(Code::kIntoWithoutCamera, "into-without-camera",
                   "there is no camera here that the input's could take the place of",
                   "name the file that holds the cameras, or write a new one"),
+      bad_request(Code::kIntoFolder, "into-folder", "the folder is a rig of {0} files, and one file is written into",
+                  "name that of the sensor: {1:or}"),
       bad_request(Code::kIntoAnotherFormat, "into-another-format", "the file is {0}, and the format asked for is {1}",
                   "ask for no format: it is the file's"),
       error(Code::kIntoWithoutPose, "pose-missing",

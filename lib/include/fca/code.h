@@ -1617,6 +1617,7 @@ enum class Code : std::uint16_t {
   kGiveLengthUnit,
   kGiveFileAndUnit,
   kIntoWithoutCamera,
+  kIntoFolder,
   kIntoAnotherFormat,
   kIntoWithoutPose,
   kHasOneCamera,
