@@ -158,7 +158,7 @@ constexpr std::array kConsumers{
              .writing = {.equidistant_file_name = "sensor_recalibrated.yaml"},
              .source = "NVlabs/PyCuVSLAM@f1fb2b8 (2025-12-13)"},
     Consumer{.id = "cuvslam-imu",
-             .program = "cuVSLAM (EuRoC example, IMU)",
+             .program = "cuVSLAM (examples: IMU, rig)",
              .format = "euroc",
              .tolerance_px = kDoublePrecisionPx,
              .load = &in_own_locale<&load_cuvslam_imu>,

@@ -3,7 +3,7 @@
 // key that begins with T_ is the pose (T_BS or T_Cam0, 16 numbers below data). distortion_model is never read: the coefficients
 // of a sensor.yaml are k1 k2 p1 p2 of cuVSLAM's Brown model, those of a sensor_recalibrated.yaml of its Fisheye model. A file
 // with camera_model fisheye, as that example's, is taken for the latter under any name; without a name (LoadOptions) the
-// numbers' own is meant.
+// numbers' own is meant. Its TUM and RealSense examples (examples/tum, examples/realsense) have rig files of their own.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -112,12 +112,57 @@ ConsumerCamera camera_of(const std::vector<double>& k, const std::vector<double>
   return camera;
 }
 
+/// The camera of the TUM example's freiburg3_rig.yaml, which undistorts nothing.
+ConsumerView load_colour_camera(const Value& camera, ConsumerView view) {
+  Sensor sensor(camera, view);
+  const auto focal = sensor.numbers("focal_length", 2);
+  const auto centre = sensor.numbers("principal_point", 2);
+  const auto width = sensor.number("image_width");
+  const auto height = sensor.number("image_height");
+  if (!view.loads() || !focal || !centre || !width || !height) return view;
+  ConsumerCamera seen = camera_of({(*focal)[0], (*focal)[1], (*centre)[0], (*centre)[1]}, {0.0, 0.0, 0.0, 0.0}, false);
+  seen.model = "Pinhole";
+  seen.width = static_cast<int>(*width);
+  seen.height = static_cast<int>(*height);
+  view.cameras.push_back(std::move(seen));
+  return view;
+}
+
+/// The poses of the RealSense example's frame_agx_rig.yaml: rig_from_camera.
+ConsumerView load_pairs(const Value& pairs, ConsumerView view) {
+  for (const pyyaml::ValuePtr& pair : pairs.items) {
+    for (const char* side : {"left_camera", "right_camera"}) {
+      const Value* camera = pair->kind == Kind::kMap ? pair->find(side) : nullptr;
+      const Value* rows = camera != nullptr && camera->kind == Kind::kMap ? camera->find("transform") : nullptr;
+      const std::string path = std::string("stereo_cameras/") + side + "/transform";
+      ConsumerPose pose = {"rig", "cam" + std::to_string(view.poses.size()), {}};
+      pose.T_a_b.back() = 1.0;
+      std::size_t count = 0;
+      for (std::size_t row = 0; rows != nullptr && row < rows->items.size(); ++row) {
+        for (const pyyaml::ValuePtr& number : rows->items[row]->items) {
+          if (number->is_number() && count < 12) pose.T_a_b.at(count++) = number->number;
+        }
+      }
+      if (count != 12 || rows->items.size() != 3) {
+        view.refusals.push_back(about_key(rows == nullptr ? Code::kCuvslamSaysMissing : Code::kCuvslamSaysNumberCount, path,
+                                          rows == nullptr ? std::vector<Argument>() : std::vector<Argument>{12}));
+        view.poses.clear();
+        return view;
+      }
+      view.poses.push_back(std::move(pose));
+    }
+  }
+  return view;
+}
+
 }  // namespace
 
 ConsumerView load_cuvslam(std::string_view bytes, const LoadOptions& options) {
   ConsumerView view;
   const pyyaml::ValuePtr root = load_map(bytes, view);
   if (!root) return view;
+  if (const Value* camera = root->find("rgb_camera"); camera != nullptr && camera->kind == Kind::kMap)
+    return load_colour_camera(*camera, std::move(view));
   Sensor sensor(*root, view);
   std::optional<ConsumerPose> pose = sensor.pose();
   const auto intrinsics = sensor.numbers("intrinsics", 4);
@@ -149,6 +194,8 @@ ConsumerView load_cuvslam_imu(std::string_view bytes, const LoadOptions& /*optio
   ConsumerView view;
   const pyyaml::ValuePtr root = load_map(bytes, view);
   if (!root) return view;
+  if (const Value* pairs = root->find("stereo_cameras"); pairs != nullptr && pairs->kind == Kind::kList)
+    return load_pairs(*pairs, std::move(view));
   Sensor sensor(*root, view);
   sensor.pose();
   ConsumerImu& imu = view.imu.emplace();

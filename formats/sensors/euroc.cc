@@ -16,6 +16,7 @@
 // is no key for a time offset.
 #include "euroc.h"
 
+#include "cuvslam_rig.h"
 #include "files.h"
 #include "keys.h"
 
@@ -157,12 +158,16 @@ const sensors::Files& files() {
 }
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
+  if (cuvslam_rig::is_rig(documents.front())) return cuvslam_rig::read(documents.front(), diagnostics);
   return sensors::read(files(), documents, options, diagnostics);
 }
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  std::optional<Written> written = sensors::write(files(), base, rig, options, diagnostics);
+  const bool is_rig_file = base != nullptr && cuvslam_rig::is_rig(*base);
+  if (std::optional<Written> edited = is_rig_file && !options.anew ? cuvslam_rig::edited(*base, rig) : std::nullopt)
+    return edited;
+  std::optional<Written> written = sensors::write(files(), is_rig_file ? nullptr : base, rig, options, diagnostics);
   const auto is_equidistant = [](const Camera& camera) { return model_info(camera.model).id == "kb4"; };
   if (written && std::ranges::any_of(rig.cameras, is_equidistant))
     diagnostics.add(Code::kCuvslamSaysTakenForBrown, {"distortion_model", "equidistant"});
@@ -170,6 +175,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
 }
 
 ProbeResult probe(const text::Document& document) {
+  if (const ProbeResult rig = cuvslam_rig::probe(document); rig.score > 0) return rig;
   const Node& root = document.root();
   const auto has = [&root](std::string_view key) { return text::find(root, key, kTable.dialect) != nullptr; };
   // Kimera's own.

@@ -73,8 +73,8 @@ std::span<const CodeInfo> file_codes() {
       error(Code::kLooksLikeMast3r, kUnknown, "looks like MASt3R-SLAM's intrinsics ({0} and {1}), which fca-io does not read",
             "write them as an OpenCV file: calibration is fx fy cx cy and OpenCV's coefficients"),
       error(Code::kLooksLikeCuvslamRig, kUnknown,
-            "looks like a rig of cuVSLAM's examples ({0} and {1}), which fca-io does not read",
-            "write it as an EuRoC folder; cuVSLAM's own order of Brown's coefficients is k1 k2 k3 p1 p2"),
+            "looks like a rig of cuVSLAM's examples ({0} and {1}), and no camera in it has what these read",
+            "transform, three rows of four numbers, in left_camera and right_camera; or focal_length in rgb_camera"),
       error(Code::kLooksLikeNcore, kUnknown, "looks like an NCore camera ({0} and {1}), which fca-io does not read",
             "write its opencv-fisheye or opencv-pinhole as an OpenCV file: T_sensor_rig is T_rig_camera; the pinhole's "
             "principal point counts from the image's corner (subtract 0.5)"),

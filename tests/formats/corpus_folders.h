@@ -26,7 +26,7 @@ inline constexpr std::array kSharedFolders = {
     SharedFolders{"basalt", "extra/basalt", "basalt"},
     SharedFolders{"vins", "extra/camodocal", "camodocal", "extra/vins_config"},
     SharedFolders{"ros", "extra/ros_camera_info", "ros_camera_info"},
-    SharedFolders{"euroc", "extra/euroc_sensor", ""},
+    SharedFolders{"euroc", "extra/euroc_sensor", "", "extra/cuvslam_rig"},
     SharedFolders{"kimera", "extra/kimera", ""},
     SharedFolders{"colmap", "extra/colmap", "", "extra/colmap_rig"},
     SharedFolders{"nerfstudio", "extra/transforms_json", ""},

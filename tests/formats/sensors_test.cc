@@ -7,8 +7,10 @@
 
 #include <fca/code.h>
 #include <fca/formats/proof.h>
+#include <fca/rig/rotation.h>
 
 #include <array>
+#include <functional>
 #include <iostream>
 #include <set>
 
@@ -94,6 +96,68 @@ TEST(Euroc, CuvslamsDialectIsToldApart) {
   ASSERT_TRUE(parsed.document);
   EXPECT_TRUE(read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics));
   EXPECT_EQ(parsed.codes(), "program-ignores");
+}
+
+/// The base with the change, by its own format.
+std::string rig_file_with(const std::string& bytes, const std::function<void(Rig&)>& change) {
+  Rig rig = calibration_of(bytes, "rig.yaml").rig;
+  change(rig);
+  const text::Document base = document_of(bytes, "rig.yaml");
+  WriteOptions options;
+  options.keeps_layout = true;
+  Diagnostics diagnostics;
+  const std::optional<Written> written = write_calibration(format("euroc"), &base, rig, options, diagnostics);
+  EXPECT_TRUE(written);
+  if (written) expect_proven(*written, rig);
+  return written ? written->files.front().document.bytes() : "";
+}
+
+// p_rig = transform p_camera; left and right by turns.
+TEST(CuvslamRig, PairsHavePosesOnTheRig) {
+  const std::string bytes = good("euroc/cuvslam-rig/pairs.yaml");
+  const Calibration calibration = calibration_of(bytes, "frame.yaml");
+  EXPECT_EQ(calibration.format->id, "euroc");
+  EXPECT_TRUE(calibration.rig.cameras.empty());
+  ASSERT_EQ(calibration.rig.poses.size(), 4U);
+  ASSERT_NE(calibration.rig.stated("rig", "cam2"), nullptr);
+  EXPECT_EQ(translation_of(*calibration.rig.stated("rig", "cam2")), (std::array{-0.0915, 0.0, 0.0725}));
+  const std::optional<Transform> pair = calibration.rig.resolve("cam3", "cam2");
+  ASSERT_TRUE(pair);
+  EXPECT_NEAR((*pair)(0, 3), -0.065, 1e-15) << "the right camera is to the right";
+  EXPECT_EQ(rig_file_with(bytes, [](Rig&) {}), bytes);
+  EXPECT_EQ(rig_file_with(bytes, [](Rig& rig) { rig.poses[2].T_a_b(0, 3) = -0.095; }),
+            with_replaced(bytes, "[0, 0, 1, -0.0915] # 0018's left", "[0, 0, 1, -0.095] # 0018's left"));
+}
+
+TEST(CuvslamRig, AColourCameraIsAPinhole) {
+  const std::string bytes = good("euroc/cuvslam-rig/colour.yaml");
+  const Rig rig = calibration_of(bytes, "rig.yaml").rig;
+  ASSERT_EQ(rig.cameras.size(), 1U);
+  EXPECT_EQ(model_info(rig.cameras[0].model).id, "pinhole");
+  EXPECT_EQ(parameter(rig.cameras[0].model, "fy"), 522.25);
+  EXPECT_EQ(parameter(rig.cameras[0].model, "cx"), 318.5);
+  EXPECT_EQ(rig.cameras[0].image_size, (ImageSize{640, 480}));
+  EXPECT_EQ(rig_file_with(bytes, [](Rig&) {}), bytes);
+  EXPECT_EQ(rig_file_with(bytes, [](Rig& edited) { EXPECT_TRUE(set_parameter(edited.cameras[0].model, "fx", 520.5)); }),
+            with_replaced(bytes, "521.75", "520.5"));
+}
+
+TEST(CuvslamRig, TheCorpusIsReadAsAPersonReadsIt) {
+  const fs::path corpus = shared_dir() / "corpus" / "extra" / "cuvslam_rig";
+  if (!fs::exists(corpus)) GTEST_SKIP() << "no corpus beside the repository: " << corpus;
+  for (const auto& [name, z] : {std::pair("agx", -0.074), {"nano", -0.078}}) {
+    const std::string file = "NVlabs__PyCuVSLAM__examples__realsense__frame_" + std::string(name) + "_rig.yaml";
+    const Rig rig = calibration_of(read_file(corpus / file), file).rig;
+    ASSERT_EQ(rig.poses.size(), 6U) << file;
+    EXPECT_EQ((*rig.stated("rig", "cam2"))(0, 3), z) << file;
+    EXPECT_EQ((*rig.stated("rig", "cam0"))(0, 3), -0.025) << file;
+  }
+  const std::string file = "NVlabs__PyCuVSLAM__examples__tum__freiburg3_rig.yaml";
+  const Rig rig = calibration_of(read_file(corpus / file), file).rig;
+  ASSERT_EQ(rig.cameras.size(), 1U);
+  EXPECT_EQ(parameter(rig.cameras[0].model, "fx"), 535.4);
+  EXPECT_EQ(rig.cameras[0].image_size, (ImageSize{640, 480}));
+  EXPECT_EQ(files_in(corpus).size(), 3U);
 }
 
 TEST(Euroc, ACameraThatIsNotWhereCam0IsIsCam1) {

@@ -50,6 +50,8 @@ std::span<const CodeInfo> sensor_codes() {
       clause(Code::kKimeraFirstIsLeft, "Kimera-VIO's left camera is the first one"),
       clause(Code::kEurocWrote, "a sensor.yaml for each sensor, as EuRoC has them"),
       clause(Code::kEurocWroteImu, "an IMU's sensor.yaml, as EuRoC has it"),
+      clause(Code::kCuvslamRigFound, "the key {0} of cuVSLAM's examples"),
+      clause(Code::kCuvslamRigHeadline, "a rig for cuVSLAM's examples"),
       clause(Code::kKimeraWrote, "CameraParams and ImuParams for Kimera-VIO"),
       clause(Code::kKimeraWrotePair, "{0}; {1} is left and {2} right{3}"),
       clause(Code::kKimeraWroteOne, "{0}, monocular with {1} (it shares less than a quarter of its image with {2}){3}"),

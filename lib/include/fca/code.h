@@ -686,6 +686,8 @@ enum class Code : std::uint16_t {
   kEurocImuDemands,
   kEurocWrote,
   kEurocWroteImu,
+  kCuvslamRigFound,
+  kCuvslamRigHeadline,
   kKimeraMissingKeys,
   kKimeraOmni,
   kKimeraRateNotWhole,
