@@ -107,7 +107,7 @@ constexpr std::array kNames = {
     ProgramName{kNerfstudio, "nerfstudio", "nerfstudio"},
     ProgramName{.names = kInstantNgp, .title = "instant-ngp", .format = "nerfstudio", .consumer = "instant-ngp"},
     ProgramName{kGraphdeco, "gaussian-splatting", "colmap", "", "",
-                "COLMAP's folders of undistorted images alone (PINHOLE, SIMPLE_PINHOLE; colmap image_undistorter makes them)"},
+                "undistorted images with the cameras that colmap image_undistorter makes of a folder of COLMAP's"},
     ProgramName{kOkvis, "OKVIS", "kalibr", "", "", "a configuration of its own in YAML"},
     ProgramName{kSvo, "SVO", "kalibr", "", "", "an ncamera YAML"},
     ProgramName{kMaplab, "maplab", "kalibr", "", "", "an ncamera YAML"},
