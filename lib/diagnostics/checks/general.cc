@@ -152,7 +152,7 @@ std::span<const CodeInfo> general_codes() {
       any(Code::kAnyOctal, "octal", "a number with a leading 0", "The programs read 017 as fifteen.",
           "write the number without its leading 0"),
       any(Code::kAnyOpencvHeader, "opencv-header", "OpenCV's first line in a file for YAML",
-          "Kalibr stops at the first line; OpenVINS, which reads with OpenCV, does not."),
+          "Programs that read with PyYAML (Kalibr, cuVSLAM) stop at the first line; those that read with OpenCV do not."),
       any(Code::kAnyOutOfRange, "out-of-range", "a number beyond any camera's or rig's", kWrongPose,
           "compare it with the calibration's result: a digit too many?"),
       any(Code::kAnyPartMissing, "part-missing", "a file that it names as its part is missing",
