@@ -87,7 +87,7 @@ std::string composed(const Rig& rig) {
 /// Of fisheyes without coefficients that the base does not state so already the first gets one that changes no pixel:
 /// instant-ngp takes them for pinholes. It is listed among the defaults.
 Rig with_coefficients(Rig rig, const std::optional<Rig>& old, Written& written) {
-  constexpr double kTiny = 1e-9;
+  constexpr double kTiny = 1e-12;
   constexpr std::array<ParameterId, 4> kOfFisheye = {"k1", "k2", "k3", "k4"};
   for (Camera& camera : rig.cameras) {
     const Camera* before = old ? old->find_camera(camera.name) : nullptr;

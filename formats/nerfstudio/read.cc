@@ -27,7 +27,7 @@ struct OtherModel {
   std::string_view name;
   Code why_not;
 };
-constexpr std::array kOtherModels = {OtherModel{"FISHEYE624", Code::kColmapThinPrism},
+constexpr std::array kOtherModels = {OtherModel{"FISHEYE624", Code::kNerfFisheye624},
                                      OtherModel{"EQUIRECTANGULAR", Code::kColmapEquirectangular},
                                      OtherModel{"OMNIDIRECTIONALSTEREO_L", Code::kNerfStereo},
                                      OtherModel{"OMNIDIRECTIONALSTEREO_R", Code::kNerfStereo},

@@ -335,6 +335,15 @@ Refusal describe(const YAML::ParserException& error, const Source& source, std::
   return {{Code::kYamlSyntax, {error.msg}}, offset};
 }
 
+/// What a parameter file of ROS 2 holds, `/**: ros__parameters: {...}`, if it is of one node; else null.
+Node* ros_parameters(Node& root) {
+  if (root.entries.size() != 1) return nullptr;
+  Node& node = root.entries.front().value;
+  if (node.entries.size() != 1 || node.entries.front().key.value != "ros__parameters") return nullptr;
+  Node& parameters = node.entries.front().value;
+  return parameters.is_mapping() ? &parameters : nullptr;
+}
+
 /// A message as rostopic echo and ros2 topic echo print it.
 bool is_message(const Node& root) {
   const auto has = [&root](std::string_view key) {
@@ -369,7 +378,11 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
       last_start = further.document_start();
     }
     if (const std::optional<std::size_t> at = builder.first_copy()) report({{Code::kYamlCopies}, *at}, source, diagnostics);
-    return builder.take_root();
+    Node root = builder.take_root();
+    Node* inner = syntax == Syntax::kYaml ? ros_parameters(root) : nullptr;
+    if (inner == nullptr) return root;
+    report({{Code::kYamlRosParameters}, root.span.offset}, source, diagnostics);
+    return std::move(*inner);
   } catch (const Refusal& refusal) {
     report(explained(refusal, source), source, diagnostics);
   } catch (const YAML::ParserException& error) {

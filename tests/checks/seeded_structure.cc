@@ -182,6 +182,13 @@ const std::string& hundred_cameras() {
   return kText;
 }
 
+std::optional<SpanEdit> among_ros_parameters(const Good& good) {
+  std::string text = "/**:\n  ros__parameters:\n";
+  std::istringstream lines(bytes_of(good));
+  for (std::string line; std::getline(lines, line);) text += "    " + line + "\n";
+  return SpanEdit{{0, bytes_of(good).size()}, text};
+}
+
 constexpr const char* kSettings =
     "Camera.type: \"PinHole\"\nCamera.fx: 458.654\nCamera.fy: 457.296\nCamera.cx: 367.215\nCamera.cy: 248.375\n"
     "Camera.k1: -0.28\nCamera.k2: 0.07\nCamera.p1: 0.0002\nCamera.p2: 1.8e-05\nCamera.width: 752\nCamera.height: "
@@ -201,7 +208,8 @@ std::vector<TextDefect> syntax_defects() {
       {"eighty lists in each other", {"kalibr", "orbslam3"}, {"too-deep"}, appended(deep())},
       {"a list without end", {"kalibr"}, {"too-long"}, appended(long_list()), 20, false},
       {"a hundred cameras more", {"kalibr"}, {"too-many-cameras"}, of_cameras(appended(hundred_cameras())), 20, false},
-      {"an anchor", {"kalibr"}, {"yaml-anchor"}, replaced("intrinsics: \\[", "intrinsics: &numbers [")},
+      {"an anchor", {"orbslam3"}, {"yaml-anchor"}, replaced("Camera.fps: *", "Camera.fps: &rate ")},
+      {"a ROS 2 node's parameters", {"kalibr"}, {"ros-parameters"}, among_ros_parameters, 20, false},
       {"no blank behind a colon",
        {"kalibr"},
        {"blank-missing"},

@@ -207,7 +207,7 @@ TEST(TextYaml, RefusalsNameTheDefectAndItsPlace) {
       {"alias of what is open", "a: &x\n  b: *x\n", "2:6 yaml-alias", {Code::kYamlAlias}},
       {"alias of nothing", "a: *x\n", "1:4 yaml-alias", {Code::kYamlAlias}},
       {"alias as a key", "a: &x b\n*x : 1\n", "2:1 yaml-alias", {Code::kYamlAlias}},
-      {"merge of a number", "a:\n  <<: 1\n", "2:3 yaml-merge", {Code::kYamlMergeKey}},
+      {"merge of a number", "a:\n  <<: 1\n", "2:3 yaml-alias", {Code::kYamlMergeKey}},
       {"alias", "%YAML:1.0\na: 1\nb:  *x\n", "3:5 yaml-alias", {Code::kYamlAlias}},
       {"documents", "a: 1\n---\nb: 2\n", "3:1 yaml-documents", {Code::kYamlDocuments}},
       {"depth 65", "a: " + repeated("[", 64) + repeated("]", 64) + "\n", "1:67 too-deep", {Code::kTooDeep, {64}}},

@@ -40,7 +40,6 @@ std::span<const CodeInfo> colmap_codes() {
       error(Code::kColmapUnknownModel, "unknown-model", "COLMAP has no camera model {0}", "{1:or}"),
       error(Code::kColmapModelNotRead, "unknown-model", "fca-io does not read cameras of COLMAP's model {0}: {1}",
             "calibrate with OPENCV, FULL_OPENCV or OPENCV_FISHEYE"),
-      clause(Code::kColmapThinPrism, "it has no fisheye with thin prism terms"),
       clause(Code::kColmapEquirectangular, "such an image shows all directions and has no lens"),
       with_consequence(error(Code::kColmapParameterCount, "wrong-count", "{0} has {1} parameters, and {2} numbers stand here",
                              "they are  {3}"),

@@ -30,6 +30,7 @@ std::span<const CodeInfo> nerf_codes() {
             "calibrate with k1, k2, p1, p2, or with is_fisheye and k1 to k4"),
       clause(Code::kNerfStereo, "its rays do not meet in one point"),
       clause(Code::kNerfOrthographic, "its rays are parallel"),
+      clause(Code::kNerfFisheye624, "that lens is read in COLMAP's files alone (RAD_TAN_THIN_PRISM_FISHEYE)"),
       clause(Code::kNerfFtheta, "it has no model with the angle as a polynomial of pixels"),
       error(Code::kNerfNoBool, "out-of-range", "is_fisheye is {0}; true or false is wanted"),
       warning(Code::kNerfTwoLenses, "model-contradicts",

@@ -26,7 +26,7 @@ std::span<const CodeInfo> nerf_program_codes() {
       refusal(Code::kNerfSaysCentreAlone, "{0} stands without {1} in the same object", "repeat {1} beside it"),
       misreading(Code::kNerfSaysSlots, "p1 and p2 take the places of k3 and k4, which are lost",
                  "remove p1 and p2: a fisheye has none"),
-      misreading(Code::kNerfSaysNoLens, "a fisheye whose coefficients are all 0 becomes a pinhole", "write 1e-9 for k1"),
+      misreading(Code::kNerfSaysNoLens, "a fisheye whose coefficients are all 0 becomes a pinhole", "write 1e-12 for k1"),
       refusal(Code::kNerfSaysNotSquare, "there is no fl_y and no camera_angle_y, and the image is no square",
               "write fl_x and fl_y"),
       misreading(Code::kNerfSaysTopOnly, "{0} of frames is not read: only what stands at the top is"),

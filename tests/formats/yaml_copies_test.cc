@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Anchors, aliases and merge keys, which PyYAML reads: a file with them means what the same file written out means. It comes
-// back byte for byte, and is not edited.
+// YAML files that hold more than their keys say. Anchors, aliases and merge keys, which PyYAML reads: a file with them means
+// what the same file written out means; it comes back byte for byte, and is not edited. And parameter files of ROS 2.
 #include "formats/test_files.h"
 
 #include <fca/code.h>
@@ -92,6 +92,24 @@ TEST(YamlAnchors, CopiesOfCopiesEnd) {
   const Parsed parsed = parse(bytes);
   EXPECT_FALSE(parsed.document);
   EXPECT_TRUE(has(parsed.diagnostics, Code::kListTooLong));
+}
+
+// Parameters of a ROS 2 node are the calibration that stands in them; an edit keeps what is around them.
+TEST(RosParameters, AreUnwrapped) {
+  std::string wrapped = "/**:\n  ros__parameters:\n";
+  for (const std::string& line : split(kWrittenOut, '\n')) wrapped += "    " + line + "\n";
+  const Calibration calibration = calibration_of(wrapped);
+  Rig rig = calibration.rig;
+  EXPECT_EQ(rig.cameras, calibration_of(kWrittenOut).rig.cameras);
+  EXPECT_TRUE(has(parse(wrapped).diagnostics, Code::kYamlRosParameters));
+  const text::Document base = document_of(wrapped);
+  Diagnostics diagnostics;
+  ASSERT_TRUE(set_parameter(rig.cameras[0].model, "fx", 462.0));
+  const std::optional<Written> written = write_calibration(*find_format("kalibr"), &base, rig, {}, diagnostics);
+  ASSERT_TRUE(written);
+  const std::string edited = written->files.front().document.bytes();
+  const std::size_t at = wrapped.find("461.5");
+  EXPECT_EQ(edited, wrapped.substr(0, at) + "462.0" + wrapped.substr(at + 5));
 }
 
 }  // namespace
