@@ -236,6 +236,10 @@ std::optional<StatedRig> set_value(const Format& format, const StatedRig& before
                                    const ReadOptions& options, Diagnostics& diagnostics) {
   const text::Document& document = before.document;
   const std::optional<Rig>& rig = before.rig;
+  if (const Node* copy = text::first_copy(document.root())) {
+    diagnostics.add(Code::kYamlCopiesNotEdited, {}, document.range(*copy));
+    return std::nullopt;
+  }
   const text::Entry* entry = find_scalar(document, setting.key);
   const bool added = may_add_value(format, document, setting.key);
   if (entry == nullptr && !added) {

@@ -26,18 +26,6 @@ void collect_not_finite(const Node& node, const std::string& name, std::multiset
   for (const text::Entry& entry : node.entries) collect_not_finite(entry.value, entry.key.value, names);
 }
 
-/// The first value that stands elsewhere, too; null if there is none.
-const Node* first_copy(const Node& node) {
-  if (node.copied) return &node;
-  for (const Node& item : node.items) {
-    if (const Node* copy = first_copy(item)) return copy;
-  }
-  for (const text::Entry& entry : node.entries) {
-    if (const Node* copy = first_copy(entry.value)) return copy;
-  }
-  return nullptr;
-}
-
 /// Every name that a file may state, and what it is of. Readers make them printable; rigs built in code may hold others.
 std::vector<std::pair<Code, std::string_view>> names_of(const Rig& rig) {
   std::vector<std::pair<Code, std::string_view>> names;
@@ -89,7 +77,7 @@ bool has_no_mirror(const Rig& rig, Diagnostics& diagnostics) {
 bool edits_no_copies(const Written& written, const text::Document* base, Diagnostics& diagnostics) {
   const auto is_edited = [](const Written::File& file) { return file.document.edited(); };
   if (base == nullptr || std::ranges::none_of(written.files, is_edited)) return true;
-  const Node* copy = first_copy(base->root());
+  const Node* copy = text::first_copy(base->root());
   if (copy != nullptr) diagnostics.add(Code::kYamlCopiesNotEdited, {}, base->range(*copy));
   return copy == nullptr;
 }

@@ -310,6 +310,10 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
     return is_ignored(id_of(finding), options) && (is_read || finding.severity != Severity::kError);
   });
   checks::sort_by_place(report.findings);
+  const auto says_copies = [](const Finding& finding) { return finding.facts.code == Code::kYamlCopies; };
+  if (std::ranges::any_of(report.findings, says_copies)) {  // a change here would change what else is shared
+    for (Finding& finding : report.findings) finding.mend.reset();
+  }
   checks::add_usual_fixes(report);
   report.verdict = verdict_on(report, calibration ? &calibration->rig : nullptr, options);
   return report;

@@ -349,8 +349,9 @@ class Builder final : public YAML::EventHandler {
   }
 
   static void merge(Frame& frame) {
-    for (const ValuePtr& source : frame.merged) {
-      std::vector<ValuePtr> maps = source->kind == Kind::kList ? source->items : std::vector<ValuePtr>{source};
+    // Of several merge keys the last one counts.
+    for (auto source = frame.merged.rbegin(); source != frame.merged.rend(); ++source) {
+      const std::vector<ValuePtr> maps = (*source)->kind == Kind::kList ? (*source)->items : std::vector<ValuePtr>{*source};
       for (const ValuePtr& map : maps) {
         if (map->kind != Kind::kMap) refuse(frame.mark, Code::kPyYamlMergeOfNoMap);
         for (const auto& [key, value] : map->entries) set_entry(*frame.value, key, value, false);

@@ -13,6 +13,17 @@ void Document::add_edit(Edit edit) {
   edits_.push_back(std::move(edit));
 }
 
+const Node* first_copy(const Node& root) {
+  if (root.copied) return &root;
+  for (const Node& item : root.items) {
+    if (const Node* copy = first_copy(item)) return copy;
+  }
+  for (const Entry& entry : root.entries) {
+    if (const Node* copy = first_copy(entry.value)) return copy;
+  }
+  return nullptr;
+}
+
 void Document::replace(const Span& span, std::string text) { add_edit({span, std::move(text)}); }
 
 std::vector<Span> Document::edited_spans() const {

@@ -141,7 +141,8 @@ class TreeBuilder : public YAML::EventHandler {
 
   /// Counts and, if that is wanted, marks all nodes of what is a copy or becomes one. `at`: for the error.
   void count_copy(Node& node, bool mark, std::size_t at) {
-    if (++copies_ > kLongestList) throw too_long(at);
+    copied_bytes_ += node.value.size();
+    if (++copies_ > kLongestList || copied_bytes_ > kMaxFileBytes) throw too_long(at);
     node.copied = node.copied || mark;
     for (Node& item : node.items) count_copy(item, mark, at);
     for (Entry& entry : node.entries) count_copy(entry.value, mark, at);
@@ -156,7 +157,8 @@ class TreeBuilder : public YAML::EventHandler {
 
   static bool is_merge_key(const Node& key) { return key.value == "<<" && !key.quoted && key.tag.empty(); }
 
-  /// PyYAML's: the entries of the mapping that is the value, or of the mappings in it, without those whose keys are there.
+  /// PyYAML's: the entries of the mapping that is the value, or of the mappings in it, without those whose keys are there. Of
+  /// several merge keys the last one comes first, of the mappings in a list the first one.
   void merge(Node& mapping) {
     const auto merges = [](const Entry& entry) { return is_merge_key(entry.key); };
     if (!has_anchors_ || std::ranges::none_of(mapping.entries, merges)) return;
@@ -172,16 +174,28 @@ class TreeBuilder : public YAML::EventHandler {
         if (keys.insert(entry.key.value).second) mapping.entries.push_back({entry.key, copy_of(entry.value, at)});
       }
     };
-    for (const Entry& entry : merged) {
-      const std::size_t at = entry.key.span.offset;
-      if (!entry.value.is_sequence()) add_entries(entry.value, at);
-      for (const Node& item : entry.value.items) add_entries(item, at);
+    for (auto entry = merged.rbegin(); entry != merged.rend(); ++entry) {
+      const std::size_t at = entry->key.span.offset;
+      if (!entry->value.is_sequence()) add_entries(entry->value, at);
+      for (const Node& item : entry->value.items) add_entries(item, at);
     }
   }
 
-  /// Plain scalars on one line stand there letter by letter; of others (several lines, block scalars) only the start is known.
-  [[nodiscard]] Span scalar_span(std::size_t at, const std::string& value) const {
+  /// Where a value begins behind its anchor and tag, from where those begin. `kinds`: "&" of anchors, "!" of tags.
+  [[nodiscard]] std::size_t behind_properties(std::size_t at, std::string_view kinds) const {
     const std::string_view bytes = source_.bytes;
+    while (at < bytes.size() && kinds.find(bytes[at]) != std::string_view::npos) {
+      const std::size_t end = std::min(bytes.find_first_of(" \t\r\n", at), bytes.size());
+      at = std::min(bytes.find_first_not_of(" \t\r\n", end), bytes.size());
+    }
+    return at;
+  }
+
+  /// Plain scalars on one line stand there letter by letter; of others (several lines, block scalars) only the start is known.
+  [[nodiscard]] Span scalar_span(std::size_t begin, const std::string& value) const {
+    const std::string_view bytes = source_.bytes;
+    const std::size_t at = behind_properties(begin, "&!");
+    if (value.empty() && bytes.substr(at, 1) != "\"" && bytes.substr(at, 1) != "'") return {begin, 0};
     if (at < bytes.size() && (bytes[at] == '"' || bytes[at] == '\'')) return {at, end_of_quotes(bytes, at) - at};
     if (bytes.substr(at, value.size()) == value) return {at, value.size()};
     return {at, 0};
@@ -195,7 +209,7 @@ class TreeBuilder : public YAML::EventHandler {
     opened.node.kind = kind;
     opened.node.flow = style == YAML::EmitterStyle::Flow;
     if (tag != "?" && tag != "!") opened.node.tag = tag;
-    opened.node.span = {offset(mark), 0};
+    opened.node.span = {behind_properties(offset(mark), "&"), 0};
     opened.anchor = anchor;
     has_content_ = true;
     stack_.push_back(std::move(opened));
@@ -265,6 +279,7 @@ class TreeBuilder : public YAML::EventHandler {
   bool has_anchors_;
   std::map<YAML::anchor_t, Node> anchored_;
   std::size_t copies_ = 0;
+  std::size_t copied_bytes_ = 0;
   std::optional<std::size_t> first_copy_;
   std::size_t document_start_ = 0;
   std::vector<Open> stack_;

@@ -4,7 +4,9 @@
 #include "formats/test_files.h"
 
 #include <fca/code.h>
+#include <fca/formats/check.h>
 #include <fca/formats/proof.h>
+#include <fca/formats/set_value.h>
 
 namespace fca::test {
 namespace {
@@ -92,6 +94,55 @@ TEST(YamlAnchors, CopiesOfCopiesEnd) {
   const Parsed parsed = parse(bytes);
   EXPECT_FALSE(parsed.document);
   EXPECT_TRUE(has(parsed.diagnostics, Code::kListTooLong));
+}
+
+// As PyYAML has it: of two merge keys the last one counts, of the mappings in a list the first.
+TEST(YamlAnchors, MergesInPythonsOrder) {
+  const text::Document document =
+      document_of("a: &a {x: 400, y: 1}\nb: &b {x: 500}\nc:\n  <<: *a\n  <<: *b\nd:\n  <<: [*a, *b]\ne:\n  x: 1\n  <<: *a\n");
+  EXPECT_EQ(at(document, "c/x").value, "500");
+  EXPECT_EQ(at(document, "c/y").value, "1");
+  EXPECT_EQ(at(document, "d/x").value, "400");
+  EXPECT_EQ(at(document, "e/x").value, "1");
+}
+
+// An anchor that nothing names is no reason not to edit, and not a part of the value.
+TEST(YamlAnchors, AValueBeginsBehindItsAnchorAndTag) {
+  const std::string bytes = "a: &a 1.5\nb: &b \"two\"\nc: !!str \"three\"\nd: &d [4, 5]\ne: &e !!str six\n";
+  const text::Document document = document_of(bytes);
+  const auto spelled = [&](const char* key) { return std::string(document.source().text(at(document, key).span)); };
+  EXPECT_EQ(spelled("a"), "1.5");
+  EXPECT_EQ(spelled("b"), "\"two\"");
+  EXPECT_EQ(spelled("c"), "\"three\"");
+  EXPECT_EQ(spelled("d"), "[4, 5]");
+  EXPECT_EQ(spelled("e"), "six");
+}
+
+TEST(YamlAnchors, AValueIsNotSetWhereOthersShareIt) {
+  const Format& kalibr = *find_format("kalibr");
+  Diagnostics diagnostics;
+  const std::optional<StatedRig> stated = as_stated(kalibr, document_of(kAnchored), {}, diagnostics);
+  ASSERT_TRUE(stated);
+  EXPECT_FALSE(set_value(kalibr, *stated, {"cam1/rostopic", "/other"}, {}, diagnostics));
+  EXPECT_TRUE(has(diagnostics, Code::kYamlCopiesNotEdited));
+}
+
+TEST(YamlAnchors, NothingIsMendedWhereValuesAreShared) {
+  // An int where Kalibr wants a real number: mended in a file without aliases.
+  const std::string bytes = with_replaced(kAnchored, "461.5", "461");
+  EXPECT_TRUE(mended({"file.yaml", with_replaced(kWrittenOut,
+                                                 "intrinsics: [461.5, 460.25, 366.25, 249.0]\n  distortion_coeffs: "
+                                                 "[-0.0125, 0.0575, -0.085, 0.0435]\n  rostopic: /cam0",
+                                                 "intrinsics: [461, 460.25, 366.25, 249.0]\n  distortion_coeffs: [-0.0125, "
+                                                 "0.0575, -0.085, 0.0435]\n  rostopic: /cam0")},
+                     {}));
+  EXPECT_FALSE(mended({"file.yaml", bytes}, {}));
+}
+
+TEST(YamlAnchors, CopiesOfALongTextEnd) {
+  std::string bytes = "a: &a " + std::string(500'000, 'x') + "\nb:\n";
+  for (int i = 0; i < 1000; ++i) bytes += "- *a\n";
+  EXPECT_TRUE(has(parse(bytes).diagnostics, Code::kListTooLong));
 }
 
 // Parameters of a ROS 2 node are the calibration that stands in them; an edit keeps what is around them.

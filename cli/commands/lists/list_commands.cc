@@ -202,7 +202,8 @@ std::string row_text(const Candidate& candidate, bool is_wide) {
   const ErrorSummary& error = report.judgement.error;
   const PixelDistance& circle = candidate.decisive();
   const bool is_less = !reaches_all(candidate);
-  std::string text = "  " + padded(candidate.model->id, kModelWidth);
+  const std::string_view id = candidate.model->id;
+  std::string text = "  " + padded(id, std::max(kModelWidth, id.size() + 1));
   if (report.exact) {
     text += is_wide ? numbers({"exact", "", "exact", ""}) : numbers({"exact", "", ""});
   } else if (is_wide) {

@@ -20,7 +20,7 @@ constexpr std::string_view kWrongWeights = "The filter trusts the IMU too much o
 constexpr std::string_view kGarbage = "OCamCalib's reader goes on with the wrong numbers and says nothing.";
 constexpr std::string_view kOpenCvAlone = "Programs other than OpenCV leave these terms out.";
 constexpr std::string_view kNotReadForSize = "fca-io does not read the file; programs may, in seconds.";
-constexpr std::string_view kKalibrAlone = "fca-io and OpenCV do not read the file; Kalibr does.";
+constexpr std::string_view kKalibrAlone = "OpenCV does not read the file; Kalibr and fca-io do.";
 
 constexpr CodeInfo any(Code code, std::string_view id, std::string_view title, std::string_view consequence,
                        std::string_view fix = {}) {

@@ -58,15 +58,22 @@ inline CameraModel random_model(std::size_t kind) {
     }
     case 12:
       return Intrinsics<Division>{{f, g, cx, cy, uniform(-0.6, 0.1)}};
-    case 13:
-      return Intrinsics<ThinPrismFisheye>{{f, g, cx, cy, uniform(-0.1, 0.1), uniform(-0.05, 0.05), uniform(-0.004, 0.004),
-                                           uniform(-0.004, 0.004), uniform(-0.03, 0.03), uniform(-0.01, 0.01),
-                                           uniform(-0.004, 0.004), uniform(-0.004, 0.004)}};
-    case 14:
-      return Intrinsics<Fisheye624>{{f, g, cx, cy, uniform(-0.1, 0.1), uniform(-0.05, 0.05), uniform(-0.03, 0.03),
-                                     uniform(-0.01, 0.01), uniform(-0.003, 0.003), uniform(-0.001, 0.001),
-                                     uniform(-0.004, 0.004), uniform(-0.004, 0.004), uniform(-0.004, 0.004),
-                                     uniform(-0.002, 0.002), uniform(-0.004, 0.004), uniform(-0.002, 0.002)}};
+    case 13: {
+      Intrinsics<ThinPrismFisheye> model{{f, g, cx, cy, uniform(-0.1, 0.1), uniform(-0.05, 0.05), uniform(-0.004, 0.004),
+                                          uniform(-0.004, 0.004), uniform(-0.03, 0.03), uniform(-0.01, 0.01),
+                                          uniform(-0.004, 0.004), uniform(-0.004, 0.004)}};
+      // Half of them have a prism alone.
+      if (uniform(0.0, 1.0) < 0.5) model.values[6] = model.values[7] = 0.0;
+      return model;
+    }
+    case 14: {
+      Intrinsics<Fisheye624> model{{f, g, cx, cy, uniform(-0.1, 0.1), uniform(-0.05, 0.05), uniform(-0.03, 0.03),
+                                    uniform(-0.01, 0.01), uniform(-0.003, 0.003), uniform(-0.001, 0.001),
+                                    uniform(-0.004, 0.004), uniform(-0.004, 0.004), uniform(-0.004, 0.004),
+                                    uniform(-0.002, 0.002), uniform(-0.004, 0.004), uniform(-0.002, 0.002)}};
+      if (uniform(0.0, 1.0) < 0.5) model.values[10] = model.values[11] = 0.0;
+      return model;
+    }
     case 15:
     case 16:
     case 17:

@@ -280,9 +280,8 @@ spelling of the same value would do, --fix makes it.)"},
         R"(DSO's camera.txt: centre and focal length below 1 are parts of the width and height, and half a pixel is subtracted. A
 centre of 0.5 px cannot be told from that.)"},
     Story{"ros-parameters",
-          "A ROS 2 launch file passes /**: ros__parameters: ... to a node. Kalibr, OpenVINS and others read the calibration "
-          "from the "
-          "top of a file."},
+          "A ROS 2 launch file passes /**: ros__parameters: ... to a node. Kalibr and others read a calibration at the top of "
+          "a file."},
     Story{"size-contradicts", "--size tells what a file does not say. This one says otherwise."},
     Story{
         "size-swapped",
@@ -363,8 +362,7 @@ Not decidable: small numbers of a narrow lens, where both readings see the same.
           "An unclosed element or a missing quote; the place is where the reader gave up, the cause is often a line before."},
     Story{"yaml-alias",
           "*name stands for another part of the file, <<: *name adds its keys. PyYAML follows them, cv::FileStorage does not. "
-          "fca-io reads "
-          "such a file and does not edit it: a value would change in two places."},
+          "fca-io reads such a file and does not edit it: a value would change in two places."},
     Story{"yaml-anchor", "&name marks a part for reuse. PyYAML follows it, cv::FileStorage does not; write the values out."},
     Story{"yaml-documents", "A second --- begins a second document: programs read the first, or stop. Make two files of it."},
     Story{"yaml-key", "A list or map as a key, which no calibration has: usually a bracket or dash out of place."},

@@ -125,7 +125,7 @@ struct ModelInfo {
   bool focal_lengths_first = false;  ///< The parameters begin with fx, fy, cx, cy.
   int least_degree = 0;              ///< Of a polynomial whose degree a fit chooses; 0: it is none.
   int most_degree = 0;
-  bool kept_only = false;  ///< Only read and kept: no search for the best model tries it.
+  bool kept_only = false;  ///< No search for the best model tries it, only who asks for it by name.
 };
 
 /// All models, in the order of ModelList.

@@ -104,8 +104,7 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///   kFolded                    (optional) the index of a parameter along which a fit has two bottoms with nearly the same
 ///                              pixels.
 ///   kStartsFindCentre          (optional) true: initialise finds focal lengths and principal point, too, and takes the given
-///   ones
-///                              as a unit and an origin only.
+///                              ones as a unit and an origin only.
 ///   kAheadOnly                 (optional) true: whatever the parameters, no ray at 90 degrees from the axis or beyond has a
 ///                              pixel. Nobody then tries to fit it to such rays.
 ///   kHasPoles                  (optional) true: its pixels may leave for infinity at an angle inside an image. A fit that
@@ -114,8 +113,8 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///                              lens; a fit that does not reach the edge gets only as much of it as lets it.
 ///   kHeldInFits                (optional) names of parameters that a fit leaves at their start, unless its caller gives them
 ///                              a range.
-///   kKeptOnly                  (optional) true: only read and kept. A fit to it with those parameters held equals a fit of
-///                              another model, so no search tries it.
+///   kKeptOnly                  (optional) true: no search for the best model tries it, only who asks for it by name: few
+///                              programs read it, or a fit to it equals a fit of another model.
 ///   kLeastDegree, kHigherTerms (optional) of a polynomial of any degree: the lowest that a fit has, and the names of the
 ///                              coefficients beyond it, held in fits; each raises the degree by one.
 ///   kContains                  (optional) the id of the largest model of the list of which it describes every camera.

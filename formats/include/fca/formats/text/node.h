@@ -41,4 +41,7 @@ struct Entry {
   Node value;
 };
 
+/// The first copied value of a tree; null if there is none.
+[[nodiscard]] const Node* first_copy(const Node& root);
+
 }  // namespace fca::text
