@@ -31,12 +31,26 @@ constexpr std::string_view kFocalLength = "focal_length";
 constexpr std::string_view kPrincipalPoint = "principal_point";
 constexpr std::string_view kWidth = "image_width";
 constexpr std::string_view kHeight = "image_height";
+constexpr std::array kOfColourCamera = {kFocalLength, kPrincipalPoint, kWidth, kHeight};
 constexpr std::size_t kRows = 3;
 constexpr std::size_t kColumns = 4;
 
 const Node* find(const Node& mapping, std::string_view key) { return text::find(mapping, key, kDialect); }
 
 std::string camera_name(std::size_t index) { return "cam" + std::to_string(index); }
+
+/// Is there a number other than 0 in the value?
+bool has_number(const Node& node) {
+  if (node.is_scalar()) return text::parse_real(node.value).value_or(0.0) != 0.0;
+  return std::ranges::any_of(node.items, has_number) ||
+         std::ranges::any_of(node.entries, [](const text::Entry& entry) { return has_number(entry.value); });
+}
+
+/// The key of a lens' coefficients, by the names that other programs have for it (distortion, dist_coeffs, k1)?
+bool is_distortion(std::string_view key) {
+  const bool is_one = key.size() == 2 && (key[0] == 'k' || key[0] == 'p') && key[1] >= '1' && key[1] <= '9';
+  return is_one || key.starts_with("dist");
+}
 
 /// The rows of all transforms, in the order of the cameras. Of a file that can be read.
 std::vector<const Node*> transforms_in(const Node& root) {
@@ -58,6 +72,7 @@ class RigReader {
     const bool is_colour = find(root, kColourCamera) != nullptr;
     const bool good = is_colour ? read_colour_camera(root) : read_pairs(*reader_.find(root, kStereoCameras));
     if (!good) return std::nullopt;
+    keep_others(root, is_colour ? std::array{kColourCamera} : std::array{kStereoCameras}, "");
     reader_.warn_of_misspelt();
     return std::move(rig_);
   }
@@ -69,13 +84,23 @@ class RigReader {
       const std::string first = camera_name(rig_.poses.size());
       if (!is_object(pair, kStereoCameras)) return false;
       for (const std::string_view side : kSides) {
+        const std::string name = camera_name(rig_.poses.size());
         const Node* camera = reader_.require(pair, side, "a pair of cameras");
-        if (camera == nullptr || !is_object(*camera, side) || !read_pose(*camera, camera_name(rig_.poses.size()))) return false;
+        if (camera == nullptr || !is_object(*camera, side) || !read_pose(*camera, name)) return false;
+        keep_others(*camera, std::array{kTransform}, name);
       }
-      const Node* serial = reader_.find(pair, "serial");
-      if (serial != nullptr) rig_.extra_fields.push_back({first, "serial", fields::value_text(*serial)});
+      keep_others(pair, kSides, first);
     }
     return true;
+  }
+
+  /// What stands beside the keys that are read. Of equal keys the one that counts.
+  void keep_others(const Node& mapping, std::span<const std::string_view> read, const std::string& owner) {
+    for (const text::Entry& entry : mapping.entries) {
+      const std::string& key = entry.key.value;
+      if (std::ranges::find(read, key) != read.end() || find(mapping, key) != &entry.value) continue;
+      rig_.extra_fields.push_back({owner, key, fields::value_text(entry.value)});
+    }
   }
 
   bool is_object(const Node& node, std::string_view what) {
@@ -115,10 +140,12 @@ class RigReader {
     const bool good = camera.image_size && read_pair(node, kFocalLength, {"fx", "fy"}, camera) &&
                       read_pair(node, kPrincipalPoint, {"cx", "cy"}, camera);
     if (!good) return false;
-    rig_.cameras.push_back(std::move(camera));
-    for (const text::Entry& entry : root.entries) {
-      if (entry.key.value != kColourCamera) rig_.extra_fields.push_back({"", entry.key.value, fields::value_text(entry.value)});
+    for (const text::Entry& entry : node.entries) {
+      if (is_distortion(entry.key.value) && has_number(entry.value))
+        reader_.say(entry.key, Code::kBasaltUnknownParameter, {kColourCamera, entry.key.value, "cuVSLAM's pinhole"});
     }
+    keep_others(node, kOfColourCamera, camera.name);
+    rig_.cameras.push_back(std::move(camera));
     return true;
   }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The rig files of cuVSLAM's other examples (NVlabs/PyCuVSLAM@f1fb2b8):
 //
-//   examples/realsense   stereo_cameras: a list of serial, left_camera and right_camera, each with transform: three rows of
-//   four
-//                        numbers, p_rig = T p_camera [m]. The lenses come from the devices.
+//   examples/realsense   stereo_cameras: a list of serial, left_camera and right_camera, each with transform: three rows
+//                        of four numbers, p_rig = T p_camera [m]. The lenses come from the devices.
 //   examples/tum         rgb_camera: focal_length [fx, fy], principal_point [cx, cy], image_width, image_height; no distortion.
 //                        depth_camera: scale
 //

@@ -142,6 +142,40 @@ TEST(CuvslamRig, AColourCameraIsAPinhole) {
             with_replaced(bytes, "521.75", "520.5"));
 }
 
+std::vector<std::string> extras_of(const Rig& rig) {
+  std::vector<std::string> extras;
+  for (const ExtraField& field : rig.extra_fields) extras.push_back(field.owner + "/" + field.key + "=" + field.value);
+  return extras;
+}
+
+// What a person added for a program of their own.
+TEST(CuvslamRig, KeysThatAreNotReadAreKeptAsTheyAre) {
+  const std::string bytes = good("euroc/cuvslam-rig/more-keys.yaml");
+  const std::vector<std::string> extras = extras_of(calibration_of(bytes, "rig.yaml").rig);
+  EXPECT_EQ(extras, (std::vector<std::string>{"cam0/intrinsics=[401.5, 402.25, 318.0, 241.5]", "cam1/model=wide",
+                                              "cam0/serial=21", "cam0/note=on the mast", "/imu={rate: 200}"}));
+  EXPECT_EQ(rig_file_with(bytes, [](Rig&) {}), bytes);
+}
+
+// Its program takes the lens for a pinhole; the numbers are told and lost, not dropped without a word.
+TEST(CuvslamRig, TheDistortionOfAColourCameraIsTold) {
+  const std::string bytes = good("euroc/bad/colour-distorted.yaml");
+  const auto codes = [](const std::string& text) {
+    Parsed parsed = parse(text, "rig.yaml");
+    EXPECT_TRUE(parsed.document && read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics));
+    return parsed.codes();
+  };
+  EXPECT_EQ(codes(bytes), "program-ignores");
+  EXPECT_EQ(codes(with_replaced(bytes, "[0.15, -0.25, 0.0, 0.001, 0.002]", "[0, 0, 0.0, 0, 0]")), "");
+  EXPECT_EQ(codes(with_replaced(bytes, "distortion: [0.15, -0.25, 0.0, 0.001, 0.002]", "k1: 0.15")), "program-ignores");
+  const Rig rig = calibration_of(bytes, "rig.yaml").rig;
+  EXPECT_EQ(extras_of(rig).size(), 4U);
+  Diagnostics diagnostics;
+  const std::optional<Written> written = write_calibration(format("kalibr"), nullptr, rig, {}, diagnostics);
+  ASSERT_TRUE(written);
+  EXPECT_TRUE(std::ranges::any_of(written->losses, [](const Loss& loss) { return loss.key == "distortion"; }));
+}
+
 TEST(CuvslamRig, TheCorpusIsReadAsAPersonReadsIt) {
   const fs::path corpus = shared_dir() / "corpus" / "extra" / "cuvslam_rig";
   if (!fs::exists(corpus)) GTEST_SKIP() << "no corpus beside the repository: " << corpus;
