@@ -88,14 +88,34 @@ class CameraReader {
     return where;
   }
 
+  /// What frames say otherwise than the top, each key once: nerfstudio goes by the top.
   void warn_of_two_values() {
-    if (&frame() == &root_) return;
-    for (const text::Entry& entry : frame().entries) {
-      const Node* top = value_in(root_, entry.key.value);
-      if (top == nullptr || !is_number(entry.key.value) || top->value == entry.value.value) continue;
-      if (text::parse_real(top->value) != text::parse_real(entry.value.value))
-        reader_.say(entry.key, Code::kNerfTwoValues, {entry.key.value, entry.value.value, top->value});
+    std::set<std::string> told;
+    for (const Node* of_image : group_.frames) {
+      for (const text::Entry& entry : of_image->entries) {
+        const std::string& key = entry.key.value;
+        if (is_number(key)) {
+          warn_of_other_value(key, entry.key, entry.value, told);
+        } else if (key == kCoefficientList) {
+          for (std::size_t i = 0; i < std::min(entry.value.items.size(), kCoefficients.size()); ++i)
+            warn_of_other_value(kCoefficients.at(i), entry.key, entry.value.items[i], told);
+        }
+      }
     }
+  }
+
+  void warn_of_other_value(std::string_view key, const Node& where, const Node& value, std::set<std::string>& told) {
+    const std::string top = value_at_top(key);
+    if (top.empty() || top == value.value || text::parse_real(top) == text::parse_real(value.value)) return;
+    if (told.insert(where.value).second) reader_.say(where, Code::kNerfTwoValues, {key, value.value, top});
+  }
+
+  /// What counts to nerfstudio before a frame's number; empty where the frame's does. Of coefficients the others are 0.
+  [[nodiscard]] std::string value_at_top(std::string_view key) const {
+    if (is_coefficient(key) && !coefficients_at_top(root_)) return {};
+    const Node* top = is_coefficient(key) ? coefficient_in(root_, key) : value_in(root_, key);
+    if (top != nullptr) return top->value;
+    return is_coefficient(key) ? "0" : "";
   }
 
   /// Is it a fisheye? By nerfstudio's word, else by instant-ngp's.

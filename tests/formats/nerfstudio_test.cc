@@ -368,6 +368,25 @@ TEST(Nerfstudio, AFreshIdealFisheyeStaysOneToInstantNgp) {
   EXPECT_EQ(edited(base, [](Rig&) {}), base);
 }
 
+// A list in a frame counts to nobody beside coefficients at the top; a key in a frame counts to instant-ngp alone.
+TEST(Nerfstudio, AFramesCoefficientsThatContradictTheTopAreTold) {
+  const auto codes = [](const std::string& top, const std::vector<std::string>& frames) {
+    Parsed parsed = parse(file(std::string(kNumbers) + (top.empty() ? "" : ", ") + top, frames), kName);
+    EXPECT_TRUE(parsed.document && read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics));
+    return parsed.codes();
+  };
+  const std::string list = R"("distortion_params": [0.1, 0, 0, 0, 0, 0])";
+  const std::string other = R"("distortion_params": [0.2, 0, 0, 0, 0, 0])";
+  EXPECT_EQ(codes(list, {frame(list), frame(list)}), "");
+  EXPECT_EQ(codes(list, {frame(other), frame(other)}), "duplicate-key");
+  EXPECT_EQ(codes(list, {frame(list), frame(other)}), "duplicate-key");
+  EXPECT_EQ(codes(R"("k1": 0.1)", {frame(other)}), "duplicate-key");
+  EXPECT_EQ(codes(list, {frame(R"("k1": 0.3)")}), "duplicate-key");
+  EXPECT_EQ(codes(R"("k1": 0.1)", {frame(R"("p1": 0.01)")}), "duplicate-key");
+  EXPECT_EQ(codes(R"("k1": 0.1)", {frame(R"("k1": 1e-1, "p1": 0.0)")}), "");
+  EXPECT_EQ(codes("", {frame(list), frame(other)}), "");
+}
+
 // ---------------------------------------------------------------- the loaders
 
 TEST(NerfLoaders, OnlyNerfstudioReadsTheList) {

@@ -37,7 +37,7 @@ std::span<const CodeInfo> nerf_codes() {
               "camera_model is {0}, and is_fisheye is {1}: nerfstudio goes by the former, instant-ngp by the latter",
               "make is_fisheye say what camera_model says"),
       warning(Code::kNerfTwoValues, "duplicate-key",
-              "{0} is {1} here and {2} at the top: nerfstudio takes the top's, instant-ngp the frame's",
+              "{0} is {1} here and {2} at the top, which nerfstudio takes; instant-ngp takes a frame's, but no list",
               "remove one of the two"),
       warning(Code::kNerfListContradicts, "duplicate-key",
               "{0} is {1} here and {2} in distortion_params: nerfstudio takes the latter, instant-ngp the former",
