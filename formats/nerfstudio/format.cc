@@ -91,9 +91,11 @@ Rig with_coefficients(Rig rig, const std::optional<Rig>& old, Written& written) 
   constexpr std::array<ParameterId, 4> kOfFisheye = {"k1", "k2", "k3", "k4"};
   for (Camera& camera : rig.cameras) {
     const Camera* before = old ? old->find_camera(camera.name) : nullptr;
-    const auto is_zero = [&camera](ParameterId id) { return parameter(camera.model, id) == 0.0; };
-    if (!is_fisheye(camera) || !std::ranges::all_of(kOfFisheye, is_zero)) continue;
-    if (before != nullptr && before->model == camera.model) continue;
+    const auto is_ideal = [&kOfFisheye](const Camera& each) {
+      const auto is_zero = [&each](ParameterId id) { return parameter(each.model, id) == 0.0; };
+      return is_fisheye(each) && std::ranges::all_of(kOfFisheye, is_zero);
+    };
+    if (!is_ideal(camera) || (before != nullptr && is_ideal(*before))) continue;
     set_parameter(camera.model, "k1", kTiny);
     written.defaults.push_back({camera.name + " k1", Message{Code::kNerfTinyCoefficient, {text::format_real(kTiny)}}});
   }

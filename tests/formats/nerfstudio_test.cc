@@ -366,6 +366,9 @@ TEST(Nerfstudio, AFreshIdealFisheyeStaysOneToInstantNgp) {
   const std::string base =
       at_top(R"("is_fisheye": true, "camera_model": "OPENCV_FISHEYE", "k1": 0, "k2": 0, "k3": 0, "k4": 0)");
   EXPECT_EQ(edited(base, [](Rig&) {}), base);
+  const std::string resized =
+      edited(base, [](Rig& smaller) { EXPECT_TRUE(set_parameter(smaller.cameras[0].model, "fx", 250.0)); });
+  EXPECT_NE(resized.find("\"k1\": 0,"), std::string::npos) << resized;
 }
 
 // A list in a frame counts to nobody beside coefficients at the top; a key in a frame counts to instant-ngp alone.
