@@ -390,6 +390,15 @@ TEST(Nerfstudio, AFramesCoefficientsThatContradictTheTopAreTold) {
   EXPECT_EQ(codes("", {frame(list), frame(other)}), "");
 }
 
+// What happens is of these two programs, not of those that read YAML.
+TEST(Nerfstudio, AListThatContradictsKeysHasItsOwnConsequence) {
+  for (const Code code : {Code::kNerfTwoValues, Code::kNerfListContradicts}) {
+    EXPECT_FALSE(info(code).consequence.empty());
+    EXPECT_NE(info(code).consequence, info(Code::kAnyDuplicateKey).consequence);
+    EXPECT_NE(info(code).consequence.find("instant-ngp"), std::string_view::npos);
+  }
+}
+
 // ---------------------------------------------------------------- the loaders
 
 TEST(NerfLoaders, OnlyNerfstudioReadsTheList) {

@@ -10,6 +10,7 @@ namespace fca::diagnostics {
 namespace {
 
 constexpr std::string_view kNoLens = "fca-io has no such camera model.";
+constexpr std::string_view kOfTwo = "nerfstudio and instant-ngp may see different lenses.";
 
 }  // namespace
 
@@ -36,12 +37,16 @@ std::span<const CodeInfo> nerf_codes() {
       warning(Code::kNerfTwoLenses, "model-contradicts",
               "camera_model is {0}, and is_fisheye is {1}: nerfstudio goes by the former, instant-ngp by the latter",
               "make is_fisheye say what camera_model says"),
-      warning(Code::kNerfTwoValues, "duplicate-key",
-              "{0} is {1} here and {2} at the top, which nerfstudio takes; instant-ngp takes a frame's, but no list",
-              "remove one of the two"),
-      warning(Code::kNerfListContradicts, "duplicate-key",
-              "{0} is {1} here and {2} in distortion_params: nerfstudio takes the latter, instant-ngp the former",
-              "remove one of the two"),
+      with_consequence(
+          warning(Code::kNerfTwoValues, "duplicate-key",
+                  "{0} is {1} here and {2} at the top, which nerfstudio takes; instant-ngp takes a frame's, but no list",
+                  "remove one of the two"),
+          kOfTwo),
+      with_consequence(
+          warning(Code::kNerfListContradicts, "duplicate-key",
+                  "{0} is {1} here and {2} in distortion_params: nerfstudio takes the latter, instant-ngp the former",
+                  "remove one of the two"),
+          kOfTwo),
       warning(Code::kNerfDigitOne, "key-misspelt", "{0} begins with a digit 1 in place of an l: no program reads it",
               "write {1}"),
       error(Code::kNerfNoFocalLength, "missing-key", "nothing says {0}'s focal length: there is no fl_x, and no camera_angle_x",
