@@ -54,6 +54,14 @@ ConvertRequest request_for(const std::string& file, const char* format, const ch
   return request;
 }
 
+// The program asked is that of the file's own content: poses alone, whatever the other file adds.
+TEST(Convert, AFileOfPosesIsNotRefusedForTheCamerasOfAnother) {
+  const TemporaryFolder folder;
+  const std::string pairs = testdata("formats/euroc/cuvslam-rig/pairs.yaml");
+  const Told run({"convert", pairs, "--with", kTumvi, "--to", "basalt", "-v"});
+  EXPECT_FALSE(contains(run.text(), std::string(info(Code::kInputRefused).id))) << run.text();
+}
+
 TEST(Convert, TumViBecomesAStereoInertialV1File) {
   const Told run({"convert", kTumvi, "--with", kImu, "--to", "orbslam3"});
   EXPECT_EQ(run.code(), 0) << run.text();

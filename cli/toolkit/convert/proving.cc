@@ -152,9 +152,12 @@ bool mend_kept_text(const Format& format, const Rig& rig, Written& written, Load
 }
 
 void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagnostics& diagnostics) {
-  const text::Source& source = calibration.documents[calibration.with_cameras].source();
-  const Message refusal = refused_by_all(calibration.format->id, source.bytes, !calibration.rig.cameras.empty(),
-                                         load_options(read_options(inputs)));
+  const std::size_t asked = calibration.with_cameras;
+  const text::Source& source = calibration.documents[asked].source();
+  // Another file's cameras are none of this one's: it may hold poses alone.
+  const std::optional<Rig> own = calibration.documents.size() > 1 ? rig_alone(calibration, asked) : std::nullopt;
+  const bool has_cameras = own ? !own->cameras.empty() : !calibration.rig.cameras.empty();
+  const Message refusal = refused_by_all(calibration.format->id, source.bytes, has_cameras, load_options(read_options(inputs)));
   if (refusal.is_said()) diagnostics.add(Code::kInputRefused, {source.name, refusal});
 }
 
