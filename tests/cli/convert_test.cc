@@ -54,6 +54,19 @@ ConvertRequest request_for(const std::string& file, const char* format, const ch
   return request;
 }
 
+// 3dgrut gives up the border of a wide lens without a fisheye's angle: the model is the one of which it reaches the most.
+TEST(Convert, AModelOfWhichTheProgramReachesMoreIsChosen) {
+  const TemporaryFolder folder;
+  const std::string wide = folder.write("cameras.txt",
+                                        "1 THIN_PRISM_FISHEYE 640 480 310 309 318.5 241 0.012 0.0 0.0001 0.0001 0.0 0.0 "
+                                        "0.0001 0.0\n");
+  const Told run({"convert", wide, "--to", "3dgrut"});
+  EXPECT_EQ(run.code(), 0) << run.text();
+  EXPECT_TRUE(contains(run.bytes(), "OPENCV_FISHEYE 640")) << run.text();
+  const Told asked({"convert", wide, "--to", "3dgrut", "--model", "rational"});
+  EXPECT_TRUE(contains(asked.bytes(), "FULL_OPENCV 640")) << asked.text();
+}
+
 // The program asked is that of the file's own content: poses alone, whatever the other file adds.
 TEST(Convert, AFileOfPosesIsNotRefusedForTheCamerasOfAnother) {
   const TemporaryFolder folder;

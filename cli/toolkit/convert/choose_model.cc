@@ -67,9 +67,13 @@ bool may_be_kept(const StoredModel& stored, const ModelChoice& choice) {
   return std::ranges::find(choice.among, stored.model) != choice.among.end();
 }
 
+}  // namespace
+
 bool may_be_chosen(const StoredModel& stored, const ModelChoice& choice) {
   return may_be_kept(stored, choice) && !find_model(stored.model)->kept_only;
 }
+
+namespace {
 
 bool keeps(const Camera& camera, const StoredModel& stored, const ModelChoice& choice) {
   return model_info(camera.model).id == stored.model && within(camera.model, ranges_of(stored, choice));

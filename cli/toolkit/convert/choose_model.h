@@ -36,6 +36,9 @@ struct ModelChoice {
 /// What may be chosen for such a file: the stock program's of the models that the layout holds, else all of those.
 [[nodiscard]] std::vector<std::string> models_of_layout(const Format& to, std::string_view layout);
 
+/// Is the model one that the choice takes where none is asked for?
+[[nodiscard]] bool may_be_chosen(const StoredModel& stored, const ModelChoice& choice);
+
 /// What lib/convert is to be asked for, to fit a camera to what `stored` can hold.
 [[nodiscard]] ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice);
 

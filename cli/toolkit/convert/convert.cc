@@ -217,6 +217,7 @@ bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
   if (!is_written && !write_where_settings_fit(request, start, before, result)) return false;
   if (request.verify) {
     if (is_written) try_other_layouts(request, start, before, result);
+    try_other_models(request, start, before, result);
     try_nearer_fit(request, start, before, result);
   }
   name_better_models(request, start, result);

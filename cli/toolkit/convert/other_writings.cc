@@ -9,6 +9,7 @@
 #include <fca/formats/verdict.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -98,6 +99,25 @@ bool is_better(const ConvertResult& other, const ConvertResult& best) {
       is_tie ? sum_of_rms_px(other) < sum_of_rms_px(best) - kRounding : worst_rms_px(other) < worst_rms_px(best);
   if (!has_less) return false;
   return !is_good(best) || has_same_models(other, best);
+}
+
+constexpr double kSameShare = 0.01;  // of an image
+
+/// The share of the camera's image for which the program has no right ray.
+double share_lost(const CameraProof& camera) { return camera.distance.in_image.region * camera.distance.in_image.no_rays; }
+
+double largest_share_lost(const ConvertResult& result) {
+  double share = 0.0;
+  for (const CameraProof& camera : seen_cameras(result)) share = std::max(share, share_lost(camera));
+  return share;
+}
+
+/// Does the program give up a part of the image that the model it was fitted in has?
+bool is_cut_by_program(const ConvertedCamera& camera, const std::vector<CameraProof>& seen) {
+  const auto proof = std::ranges::find(seen, camera.source.name, &CameraProof::name);
+  if (proof == seen.end() || !camera.report) return false;
+  if (model_info(camera.source.model).id == model_info(camera.target.model).id) return false;
+  return share_lost(*proof) > camera.report->judgement.coverage.unrepresentable + kSameShare;
 }
 
 /// The best way to write the files so far, and those beside it.
@@ -199,6 +219,35 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
     }
   }
   result = std::move(choice).take();
+}
+
+void try_other_models(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result) {
+  const ProofResult* proof = first_proof(result);
+  if (proof == nullptr || !proof->loads || request.model != nullptr || !request.into.empty()) return;
+  const std::vector<CameraProof> seen = seen_cameras(result);
+  const auto is_cut = [&seen](const ConvertedCamera& camera) { return is_cut_by_program(camera, seen); };
+  if (std::ranges::none_of(result.cameras, is_cut)) return;
+  ConvertRequest other = request;
+  if (!result.layout.empty()) other.layout = FormatLayout::find(*result.to, result.layout);
+  const ModelChoice choice = choice_of(other, start, *result.to);
+  std::optional<ConvertResult> best;
+  for (const StoredModel& stored : result.to->models) {
+    // Cameras that the program reads whole keep their model.
+    const auto stays = [&](const ConvertedCamera& camera) {
+      return model_info(camera.target.model).id == stored.model || is_cut(camera);
+    };
+    if (!may_be_chosen(stored, choice) || !std::ranges::all_of(result.cameras, stays)) continue;
+    other.model = find_model(stored.model);
+    std::optional<ConvertResult> tried = written_as(other, start, before, result);
+    if (!tried || !is_good(*tried)) continue;
+    const double gained = largest_share_lost(best ? *best : result) - largest_share_lost(*tried);
+    const bool is_nearer = best && std::abs(gained) <= kSameShare && worst_rms_px(*tried) < worst_rms_px(*best);
+    if (gained <= kSameShare && !is_nearer) continue;
+    tried->layout = result.layout;
+    tried->others = result.others;
+    best = std::move(tried);
+  }
+  if (best) result = *std::move(best);
 }
 
 void try_nearer_fit(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result) {

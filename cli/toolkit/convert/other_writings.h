@@ -16,6 +16,11 @@ namespace fca {
 /// a model; the rest is listed (ConvertResult::others). `before`: the result as it was before anything was written.
 void try_other_layouts(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result);
 
+/// Where the program gives up rays that the model of a fitted camera has (3dgrut those at the border of a wide lens), writes
+/// the models that may be chosen, too. The one with which it gives up the least of the images becomes the result, if it is good
+/// there. Without effect where the request names a model or a file to write into.
+void try_other_models(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result);
+
 /// Where cameras of wide lenses are fitted and the program is off, fits them to the inscribed circles of their images alone,
 /// and says what that is worth (ConvertResult::nearer). The result stays the fit to the whole lens.
 void try_nearer_fit(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result);
