@@ -197,7 +197,7 @@ constexpr std::array kHints = {
     OptionHint{Code::kIntoAnotherFormat, text::Part::kText, "the file is {0}, and --to says {1}"},
     OptionHint{Code::kIntoAnotherFormat, text::Part::kFix, "leave out --to"},
     OptionHint{Code::kIntoWithoutPose, text::Part::kFix,
-               "an input of both cameras and their pose goes into it; --to opencv -o OTHER.yml writes the cameras"},
+               "an input that states one of these poses goes into it; --to opencv -o OTHER.yml writes the cameras"},
     OptionHint{Code::kModelsDiffer, text::Part::kFix, "--model {0}, or an input that has all cameras"},
     OptionHint{Code::kLayoutWithoutModel, text::Part::kFix, "--model {2} keeps the file's text, --anew writes another file"},
     OptionHint{Code::kSizesContradict, text::Part::kFix,

@@ -65,6 +65,17 @@ TEST(Into, ABaseForOtherImagesIsRefused) {
   EXPECT_EQ(rig_in(resized.out).cameras.at(0).image_size, size);
 }
 
+// A rig's poses are of several cameras in a frame, and of none of the input's.
+TEST(Into, ARigOfPosesNamesAllOfItsFrames) {
+  const TemporaryFolder folder;
+  const std::string pairs = testdata("formats/euroc/cuvslam-rig/pairs.yaml");
+  const RunResult into = run_program({"convert", folder.write("ds.yaml", kBareDs), "--into", pairs});
+  EXPECT_EQ(into.code, 2) << into.err;
+  for (const char* frame : {"cam0", "cam3", "rig"}) EXPECT_TRUE(says(into.err, "pose-missing", frame)) << into.err;
+  const RunResult alone = run_program({"convert", pairs, "--to", "kalibr"});
+  EXPECT_TRUE(says(alone.err, "no-camera", "4")) << alone.err;
+}
+
 // Who names the input's own size wants the base to be for that; who changes the images of a file changes its size.
 TEST(Into, ABaseTakesAnotherSizeWhenToldTo) {
   const TemporaryFolder folder;

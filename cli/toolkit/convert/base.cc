@@ -31,13 +31,26 @@ std::optional<Calibration> read_into(const ConvertRequest& request, Files& files
   return std::nullopt;
 }
 
+namespace {
+
+/// Between which poses lead, in the order of their file.
+std::vector<std::string> frames_of(const Rig& rig) {
+  std::vector<std::string> frames;
+  for (const PoseEdge& pose : rig.poses) {
+    for (const std::string& frame : {pose.b, pose.a}) {
+      if (std::ranges::find(frames, frame) == frames.end()) frames.push_back(frame);
+    }
+  }
+  return frames;
+}
+
+}  // namespace
+
 bool has_use_for(const Calibration& into, const Rig& rig, const std::string& input, ConvertResult& result) {
   if (!into.rig.cameras.empty() || says_a_pose_of(into.rig, rig)) return true;
-  const Rig& pose = into.rig;
   std::vector<Message> one;
   if (rig.cameras.size() < 2) one.push_back({Code::kHasOneCamera});
-  result.diagnostics.add(Code::kIntoWithoutPose,
-                         {input, one, into.documents.front().source().name, pose.poses.front().b, pose.poses.front().a},
+  result.diagnostics.add(Code::kIntoWithoutPose, {input, one, into.documents.front().source().name, frames_of(into.rig)},
                          {input, 0, 0});
   return false;
 }

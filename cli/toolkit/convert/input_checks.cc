@@ -12,13 +12,16 @@ namespace {
 /// A file without a camera was probably meant as a further part.
 void explain_no_camera(const ConvertRequest& request, const Calibration& calibration, Diagnostics& diagnostics) {
   const Rig& rig = calibration.rig;
-  const Code what = !rig.imus.empty()   ? Code::kImuAndNoCamera
-                    : rig.poses.empty() ? Code::kNoCameraAtAll
-                                        : Code::kPoseAndNoCamera;
+  Message what{Code::kNoCameraAtAll};
+  if (!rig.imus.empty()) {
+    what = {Code::kImuAndNoCamera};
+  } else if (!rig.poses.empty()) {
+    what = {Code::kPoseAndNoCamera, {rig.poses.size()}};
+  }
   const std::string& input = request.inputs.files.front();
   const Message target =
       request.into.empty() ? Message{Code::kAsFormat, {request.to->id}} : Message{Code::kIntoFile, {request.into}};
-  diagnostics.add(Code::kNothingToConvert, {Message{what}, calibration.format->main_file, input, target}, {input, 0, 0});
+  diagnostics.add(Code::kNothingToConvert, {what, calibration.format->main_file, input, target}, {input, 0, 0});
 }
 
 bool contradicts(const ConvertRequest& request, const Calibration& calibration, ConvertResult& result) {
