@@ -117,7 +117,8 @@ bool is_cut_by_program(const ConvertedCamera& camera, const std::vector<CameraPr
   const auto proof = std::ranges::find(seen, camera.source.name, &CameraProof::name);
   if (proof == seen.end() || !camera.report) return false;
   if (model_info(camera.source.model).id == model_info(camera.target.model).id) return false;
-  return share_lost(*proof) > camera.report->judgement.coverage.unrepresentable + kSameShare;
+  // Beyond what was scored the model has no right ray either, by its formula or because it was fitted to less.
+  return share_lost(*proof) > 1.0 - camera.report->judgement.coverage.scored + kSameShare;
 }
 
 /// The best way to write the files so far, and those beside it.
