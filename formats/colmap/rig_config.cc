@@ -57,6 +57,7 @@ std::string last_folder(std::string_view prefix) {
 /// What cameras are called whose images are in these folders.
 std::vector<std::string> names_by(const std::vector<std::string>& prefixes) {
   std::vector<std::string> names;
+  names.reserve(prefixes.size());
   for (const std::string& prefix : prefixes) names.push_back(last_folder(prefix));
   const std::vector<std::string> last = names;
   for (std::size_t i = 0; i < names.size(); ++i) {

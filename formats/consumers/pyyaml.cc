@@ -349,9 +349,9 @@ class Builder final : public YAML::EventHandler {
   }
 
   static void merge(Frame& frame) {
-    // Of several merge keys the last one counts.
-    for (auto source = frame.merged.rbegin(); source != frame.merged.rend(); ++source) {
-      const std::vector<ValuePtr> maps = (*source)->kind == Kind::kList ? (*source)->items : std::vector<ValuePtr>{*source};
+    std::ranges::reverse(frame.merged);  // the last one counts
+    for (const ValuePtr& source : frame.merged) {
+      const std::vector<ValuePtr> maps = source->kind == Kind::kList ? source->items : std::vector<ValuePtr>{source};
       for (const ValuePtr& map : maps) {
         if (map->kind != Kind::kMap) refuse(frame.mark, Code::kPyYamlMergeOfNoMap);
         for (const auto& [key, value] : map->entries) set_entry(*frame.value, key, value, false);

@@ -174,10 +174,11 @@ class TreeBuilder : public YAML::EventHandler {
         if (keys.insert(entry.key.value).second) mapping.entries.push_back({entry.key, copy_of(entry.value, at)});
       }
     };
-    for (auto entry = merged.rbegin(); entry != merged.rend(); ++entry) {
-      const std::size_t at = entry->key.span.offset;
-      if (!entry->value.is_sequence()) add_entries(entry->value, at);
-      for (const Node& item : entry->value.items) add_entries(item, at);
+    std::ranges::reverse(merged);
+    for (const Entry& entry : merged) {
+      const std::size_t at = entry.key.span.offset;
+      if (!entry.value.is_sequence()) add_entries(entry.value, at);
+      for (const Node& item : entry.value.items) add_entries(item, at);
     }
   }
 
