@@ -6,7 +6,9 @@
 namespace fca {
 
 void Division::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
-  using namespace internal;
+  using internal::Ball;
+  using internal::exactly;
+  using internal::Series;
   if (p[4] == 0.0) return set_focal(form, p, angle.sine / angle.cosine);
   // R = 2 sin / (cos + d), d^2 = cos^2 - 4 k sin^2 = (1 + 4 k) cos^2 - 4 k
   const Ball four_k = exactly(4.0) * exactly(p[4]);

@@ -6,7 +6,8 @@
 namespace fca {
 
 void Eucm::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
-  using namespace internal;
+  using internal::exactly;
+  using internal::Series;
   // Without alpha beta counts for nothing, and a fit may leave any number there.
   if (p[4] == 0.0) return set_focal(form, p, angle.sine / angle.cosine);
   // d^2 = beta sin^2 + cos^2 = beta + (1 - beta) cos^2

@@ -8,7 +8,7 @@
 namespace fca {
 
 void Fisheye624::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
-  using namespace internal;
+  using internal::Series;
   std::array<double, 2 * kRadialCount + 1> coefficients = {1.0};
   for (std::size_t i = 0; i < kRadialCount; ++i) coefficients[2 * i + 2] = p[kRadial + i];
   const Series radius = polynomial_of_angle(coefficients, angle.at);

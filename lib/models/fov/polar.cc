@@ -6,7 +6,11 @@
 namespace fca {
 
 void Fov::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
-  using namespace internal;
+  using internal::Ball;
+  using internal::exactly;
+  using internal::from_library;
+  using internal::kRoundOff;
+  using internal::Series;
   const Ball slope = exactly(2.0) * from_library(std::tan(0.5 * p[4]));
   // d/dangle atan2(k sin, cos) = k / (k^2 sin^2 + cos^2)
   const Series denominator = (slope * slope) + (exactly(1.0) - slope * slope) * (angle.cosine * angle.cosine);

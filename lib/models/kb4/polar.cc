@@ -6,7 +6,6 @@
 namespace fca {
 
 void Kb4::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
-  using namespace internal;
   set_focal(form, p, polynomial_of_angle(std::array{1.0, 0.0, p[4], 0.0, p[5], 0.0, p[6], 0.0, p[7]}, angle.at));
 }
 

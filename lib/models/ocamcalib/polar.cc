@@ -117,7 +117,9 @@ void continue_radius(const ImplicitRadius& f, Series& rho) {
 }  // namespace internal
 
 void Ocamcalib::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
-  using namespace internal;
+  using internal::ImplicitRadius;
+  using internal::Series;
+  using internal::unknown;
   constexpr std::size_t kA = 5;
   const ImplicitRadius f(p + kA);
   // The model's own root of the domain at the centre, in the image of a ray along x.

@@ -94,14 +94,18 @@ class Waves {
 }  // namespace internal
 
 void Opencv14::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
-  using namespace internal;
+  using internal::Series;
   Rational::polar_form(p, angle, form);
   const Series r = angle.sine / angle.cosine;
   add_prism(form, p, {p[12], p[13]}, {p[14], p[15]}, r * r);
 }
 
 void Opencv14::polar_form(const double* p, const internal::AngleSeries& angle, internal::TiltedPolarSeries& form) {
-  using namespace internal;
+  using internal::Ball;
+  using internal::exactly;
+  using internal::from_library;
+  using internal::PolarSeries;
+  using internal::Waves;
   std::array<double, kParameters.size()> plane = {1.0, 1.0, 0.0, 0.0};
   std::copy(p + 4, p + plane.size(), plane.begin() + 4);
   PolarSeries distorted;

@@ -6,7 +6,6 @@
 namespace fca {
 
 void Pinhole::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
-  using namespace internal;
   set_focal(form, p, angle.sine / angle.cosine);
 }
 

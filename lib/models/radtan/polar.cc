@@ -6,7 +6,7 @@
 namespace fca {
 
 void Radtan::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
-  using namespace internal;
+  using internal::Series;
   const Series r = angle.sine / angle.cosine;
   const Series r2 = r * r;
   set_focal(form, p, r * polynomial(std::array{1.0, p[4], p[5], p[8]}, r2));

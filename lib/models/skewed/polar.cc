@@ -8,7 +8,10 @@ namespace fca {
 /// Moves the column by the skew times how far the row is from cy, over fy.
 template <CameraModelType M>
 void Skewed<M>::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
-  using namespace internal;
+  using internal::Ball;
+  using internal::exactly;
+  using internal::kHarmonics;
+  using internal::Series;
   M::polar_form(p, angle, form);
   const Ball shear = exactly(p[kSkew]) / exactly(p[1]);
   for (std::size_t j = 0; j < kHarmonics; ++j) {

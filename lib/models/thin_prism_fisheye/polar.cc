@@ -8,7 +8,8 @@
 namespace fca {
 
 void ThinPrismFisheye::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
-  using namespace internal;
+  using internal::exactly;
+  using internal::Series;
   const Series theta = times_variable(constant(exactly(1.0)), angle.at);
   const Series theta2 = theta * theta;
   set_focal(form, p, polynomial_of_angle(std::array{1.0, 0.0, p[4], 0.0, p[5], 0.0, p[8], 0.0, p[9]}, angle.at));

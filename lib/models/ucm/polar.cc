@@ -6,7 +6,7 @@
 namespace fca {
 
 void Ucm::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
-  using namespace internal;
+  using internal::exactly;
   set_focal(form, p, unified_radius(exactly(p[4]), constant(exactly(1.0)), angle.cosine, angle.sine));
 }
 
