@@ -7,23 +7,20 @@
 
 #include <algorithm>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 namespace fca::internal {
 
 namespace {
 
-template <CameraModelType... Ms>
-std::vector<ExactStep> steps_of(TypeList<Ms...> /*models*/) {
+std::vector<ExactStep> all_steps() {
   std::vector<ExactStep> steps;
-  const auto add = [&steps]<class M>(std::type_identity<M> /*model*/) {
+  ModelList::for_each([&steps]<class M>() {
     if constexpr (requires { M::exact_steps(); }) {
       const std::span<const ExactStep> of_model = M::exact_steps();
       steps.insert(steps.end(), of_model.begin(), of_model.end());
     }
-  };
-  (add(std::type_identity<Ms>()), ...);
+  });
   return steps;
 }
 
@@ -34,7 +31,7 @@ constexpr bool is_listed(std::string_view id, TypeList<Ms...> /*models*/) {
 
 /// Of models without skew: the shortest chain of steps.
 std::optional<CameraModel> chained(const CameraModel& source, std::string_view target_id) {
-  static const std::vector<ExactStep> steps = steps_of(ModelList{});
+  static const std::vector<ExactStep> steps = all_steps();
   std::vector<CameraModel> reached = {source};
   for (std::size_t i = 0; i < reached.size(); ++i) {
     const std::string_view id = model_info(reached[i]).id;

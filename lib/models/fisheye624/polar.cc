@@ -9,8 +9,7 @@ namespace fca {
 
 void Fisheye624::polar_form(const double* p, const internal::AngleSeries& angle, internal::PolarSeries& form) {
   using internal::Series;
-  std::array<double, 2 * kRadialCount + 1> coefficients = {1.0};
-  for (std::size_t i = 0; i < kRadialCount; ++i) coefficients[2 * i + 2] = p[kRadial + i];
+  const std::array coefficients = {1.0, 0.0, p[4], 0.0, p[5], 0.0, p[6], 0.0, p[7], 0.0, p[8], 0.0, p[9]};
   const Series radius = polynomial_of_angle(coefficients, angle.at);
   const Series radius2 = radius * radius;
   set_focal(form, p, radius);

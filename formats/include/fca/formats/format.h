@@ -165,7 +165,7 @@ struct Format {
   std::string_view extension;                    ///< Of its files, with the point: ".yaml".
   std::string_view program;                      ///< The stock program that reads it: "Kalibr".
   std::string_view main_file = "camchain.yaml";  ///< The file with the cameras, where its other parts lie beside it.
-  std::string_view binary_file = {};  ///< The same in a folder of binary files; empty: there are none.
+  std::string_view binary_file = {};             ///< The same in a folder of binary files; empty: there are none.
   bool reader_warns = false;                     ///< What its program misreads its reader says itself, at the place.
   std::string_view layout_of = {};      ///< Id of the format whose files its own are, with habits of their own; may be empty.
   bool many_cameras = true;             ///< In one file; else a rig is written as one file per camera.

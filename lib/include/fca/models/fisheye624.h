@@ -151,10 +151,8 @@ struct Fisheye624 : internal::FocalLengthsFirst, internal::RayMap<Fisheye624> {
     return T(1.0) + t * sum;
   }
   /// dR/dtheta as a polynomial in theta^2.
-  static std::array<double, kRadialCount + 1> slope(const double* p) {
-    std::array<double, kRadialCount + 1> result = {1.0};
-    for (std::size_t i = 0; i < kRadialCount; ++i) result[i + 1] = (2.0 * static_cast<double>(i) + 3.0) * p[kRadial + i];
-    return result;
+  static std::array<double, 7> slope(const double* p) {
+    return {1.0, 3.0 * p[4], 5.0 * p[5], 7.0 * p[6], 9.0 * p[7], 11.0 * p[8], 13.0 * p[9]};
   }
   static void radius_at(const double* p, double theta, double& value, double& derivative) {
     value = theta * factor(p, theta * theta);
@@ -162,7 +160,7 @@ struct Fisheye624 : internal::FocalLengthsFirst, internal::RayMap<Fisheye624> {
   }
 
   static bool angle_of_radius(const double* p, double radius, double& theta) {
-    const std::array<double, kRadialCount + 1> slope_coefficients = slope(p);
+    const std::array<double, 7> slope_coefficients = slope(p);
     const auto at = [p](double x, double& value, double& derivative) { radius_at(p, x, value, derivative); };
     const auto inside = [&](double x) { return x < std::numbers::pi && positive_on(slope_coefficients, x * x); };
     return invert_inside(
