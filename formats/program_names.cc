@@ -107,7 +107,7 @@ constexpr std::array kNames = {
     ProgramName{kNerfstudio, "nerfstudio", "nerfstudio"},
     ProgramName{.names = kInstantNgp, .title = "instant-ngp", .format = "nerfstudio", .consumer = "instant-ngp"},
     ProgramName{kGraphdeco, "gaussian-splatting", "colmap", "", "",
-                "undistorted images with the cameras that colmap image_undistorter makes of a folder of COLMAP's"},
+                "undistorted images, with the cameras that colmap image_undistorter writes for them"},
     ProgramName{kOkvis, "OKVIS", "kalibr", "", "", "a configuration of its own in YAML"},
     ProgramName{kSvo, "SVO", "kalibr", "", "", "an ncamera YAML"},
     ProgramName{kMaplab, "maplab", "kalibr", "", "", "an ncamera YAML"},

@@ -24,12 +24,11 @@ constexpr std::size_t kMaxBytes = 2U << 20U;
 
 using colmap::Bytes;
 using colmap::Model;
-
-using Own = std::function<void(const Model& model, const std::vector<double>& params, ConsumerCamera& camera)>;
+using colmap::OwnReading;
 
 class Reader {
  public:
-  Reader(const Own& own, ConsumerView& view) : own_(own), view_(view) {}
+  Reader(const OwnReading& own, ConsumerView& view) : own_(own), view_(view) {}
 
   /// ReadCamerasBinary. True if it takes all bytes.
   bool run_binary(std::string_view bytes) {
@@ -112,7 +111,7 @@ class Reader {
     view_.cameras.push_back(std::move(seen));
   }
 
-  const Own& own_;
+  const OwnReading& own_;
   ConsumerView& view_;
   std::set<std::uint32_t> ids_;
   std::set<std::string_view> told_;
@@ -133,7 +132,7 @@ bool holds_rigs(std::string_view bytes) {
 /// Behind a count of 8 bytes.
 bool is_binary(std::string_view bytes) { return bytes.size() >= 8 && bytes.substr(4, 4) == std::string_view("\0\0\0\0", 4); }
 
-void load_binary(std::string_view bytes, const Own& own, ConsumerView& view) {
+void load_binary(std::string_view bytes, const OwnReading& own, ConsumerView& view) {
   ConsumerView as_rigs;
   if (Reader(own, view).run_binary(bytes) || !colmap::read_binary_rigs(bytes, as_rigs)) return;
   view = as_rigs;
@@ -141,7 +140,7 @@ void load_binary(std::string_view bytes, const Own& own, ConsumerView& view) {
 
 }  // namespace
 
-ConsumerView colmap::load(std::string_view bytes, const Own& own) {
+ConsumerView colmap::load(std::string_view bytes, const OwnReading& own) {
   ConsumerView view;
   if (bytes.empty() || bytes.size() > kMaxBytes) {
     view.refusals.emplace_back(bytes.empty() ? Code::kProgramFileEmpty : Code::kProgramFileTooLarge, "");

@@ -58,10 +58,11 @@ class Bytes {
   bool short_ = false;
 };
 
-/// COLMAP's reading of a file. `own`: changes what it makes of each camera, by the model and the parameters of its line.
-[[nodiscard]] ConsumerView load(
-    std::string_view bytes,
-    const std::function<void(const Model& model, const std::vector<double>& params, ConsumerCamera& camera)>& own = {});
+/// Changes a camera as COLMAP reads it into what another program reads. `params`: of its line.
+using OwnReading = std::function<void(const Model& model, const std::vector<double>& params, ConsumerCamera& camera)>;
+
+/// COLMAP's reading of a file; with `own` that of a program which reads cameras otherwise.
+[[nodiscard]] ConsumerView load(std::string_view bytes, const OwnReading& own = {});
 
 /// ReadRigsText and ReadRigsBinary. Sensors are called as there: "CAMERA 2".
 void read_rigs(std::string_view bytes, ConsumerView& view);

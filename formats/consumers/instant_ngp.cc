@@ -195,11 +195,11 @@ void take_for_pinhole(const colmap::Model& model, const std::vector<double>& par
   camera.misread = true;
 }
 
-ConsumerView load_colmap2nerf(std::string_view bytes, const LoadOptions& options) {
+ConsumerView load_colmap2nerf(std::string_view bytes) {
   constexpr std::string_view kProgram = "instant-ngp";
   std::string_view unknown;
   ConsumerView view =
-      load_taken_of_colmap(bytes, options, kProgram, {}, [&unknown](const auto& model, const auto& params, auto& camera) {
+      load_taken_of_colmap(bytes, kProgram, {}, [&unknown](const auto& model, const auto& params, auto& camera) {
         take_for_pinhole(model, params, camera);
         if (camera.misread && unknown.empty()) unknown = model.name;
       });
@@ -215,7 +215,7 @@ ConsumerView load_colmap2nerf(std::string_view bytes, const LoadOptions& options
 }  // namespace
 
 ConsumerView load_instant_ngp(std::string_view bytes, const LoadOptions& options) {
-  if (!is_json(bytes)) return load_colmap2nerf(bytes, options);
+  if (!is_json(bytes)) return load_colmap2nerf(bytes);
   ConsumerView view;
   NerfFile file(bytes, true, view);
   if (view.loads()) Loader(file, options.image_size, view).run();

@@ -145,8 +145,8 @@ class Dataparser {
 
 }  // namespace
 
-ConsumerView load_nerfstudio(std::string_view bytes, const LoadOptions& options) {
-  if (!is_json(bytes)) return load_taken_of_colmap(bytes, options, "nerfstudio", kTakenByNerfstudio);
+ConsumerView load_nerfstudio(std::string_view bytes, const LoadOptions& /*options*/) {
+  if (!is_json(bytes)) return load_taken_of_colmap(bytes, "nerfstudio", kTakenByNerfstudio);
   ConsumerView view;
   NerfFile file(bytes, false, view);
   if (view.loads()) Dataparser(file, view).run();

@@ -153,18 +153,18 @@ ConsumerView load_transforms_of_3dgrut(std::string_view bytes, const LoadOptions
 
 }  // namespace
 
-ConsumerView load_gsplat(std::string_view bytes, const LoadOptions& options) {
-  return load_taken_of_colmap(bytes, options, "gsplat", kTakenByGsplat);
+ConsumerView load_gsplat(std::string_view bytes, const LoadOptions& /*options*/) {
+  return load_taken_of_colmap(bytes, "gsplat", kTakenByGsplat);
 }
 
 ConsumerView load_3dgrut(std::string_view bytes, const LoadOptions& options) {
   return is_json(bytes) ? load_transforms_of_3dgrut(bytes, options)
-                        : load_taken_of_colmap(bytes, options, "3dgrut", kTakenBy3dgrut, &limit_radial_factor);
+                        : load_taken_of_colmap(bytes, "3dgrut", kTakenBy3dgrut, &limit_radial_factor);
 }
 
 ConsumerView load_lichtfeld(std::string_view bytes, const LoadOptions& options) {
   return is_json(bytes) ? load_transforms_of_lichtfeld(bytes, options)
-                        : load_taken_of_colmap(bytes, options, "LichtFeld Studio", kTakenByLichtfeld);
+                        : load_taken_of_colmap(bytes, "LichtFeld Studio", kTakenByLichtfeld);
 }
 
 }  // namespace fca::consumers

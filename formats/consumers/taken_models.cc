@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace fca::consumers {
 namespace {
@@ -20,8 +21,8 @@ bool begins_with(char character, std::string_view bytes) {
 
 bool is_json(std::string_view bytes) { return begins_with('{', bytes); }
 
-ConsumerView load_taken_of_colmap(std::string_view bytes, const LoadOptions& /*options*/, std::string_view program,
-                                  std::span<const std::string_view> models, const OwnReading& own) {
+ConsumerView load_taken_of_colmap(std::string_view bytes, std::string_view program, std::span<const std::string_view> models,
+                                  const colmap::OwnReading& own) {
   ConsumerView view = colmap::load(bytes, own);
   view.warnings.clear();
   const bool is_of_rigs = view.loads() && (view.cameras.empty() || begins_with('[', bytes));  // COLMAP's alone reads them

@@ -142,7 +142,7 @@ class RigReader {
     if (!good) return false;
     for (const text::Entry& entry : node.entries) {
       if (is_distortion(entry.key.value) && has_number(entry.value))
-        reader_.say(entry.key, Code::kBasaltUnknownParameter, {kColourCamera, entry.key.value, "cuVSLAM's pinhole"});
+        reader_.say(entry.key, Code::kCuvslamNoDistortion, {kColourCamera, entry.key.value});
     }
     keep_others(node, kOfColourCamera, camera.name);
     rig_.cameras.push_back(std::move(camera));

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The only user of yaml-cpp in the text layer. Its event handler builds our tree directly, so that what is too deep or too long
-// is refused before a tree exists. Aliases and merge keys become copies of what they name; OpenCV's YAML has none.
+// is refused before a tree exists.
 #include "yaml.h"
 
 #include "../yaml_directive.h"
 #include "opencv_prepass.h"
 #include "refusal.h"
+#include "yaml_copies.h"
 
 #include <fca/formats/text/limits.h>
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <regex>
-#include <set>
 #include <sstream>
 #include <vector>
 
@@ -74,8 +73,7 @@ class TreeBuilder : public YAML::EventHandler {
       : source_(source), spaced_(spaced), skipped_(skipped), has_anchors_(has_anchors) {}
 
   Node take_root() { return std::move(root_); }
-  /// Where the first alias or merge key is.
-  [[nodiscard]] std::optional<std::size_t> first_copy() const { return first_copy_; }
+  [[nodiscard]] const YamlCopies& copies() const { return copies_; }
   [[nodiscard]] bool has_content() const { return has_content_; }
   [[nodiscard]] std::size_t document_start() const { return document_start_; }
 
@@ -91,12 +89,11 @@ class TreeBuilder : public YAML::EventHandler {
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const std::size_t at = offset(mark);
-    const auto found = anchored_.find(anchor);
-    if (!has_anchors_ || found == anchored_.end()) throw alias_at(at);  // of a collection that is still open
-    Node node = copy_of(found->second, at);
+    std::optional<Node> node = copies_.copy(anchor, at);
+    if (!node) throw alias_at(at);
     const std::size_t end = source_.bytes.find_first_of(" \t\r\n,]}", at);
-    node.span = {at, std::min(end, source_.bytes.size()) - at};
-    add(std::move(node));
+    node->span = {at, std::min(end, source_.bytes.size()) - at};
+    add(*std::move(node));
   }
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
@@ -137,49 +134,6 @@ class TreeBuilder : public YAML::EventHandler {
 
   void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) const {
     if (anchor != 0 && !has_anchors_) throw Refusal{{Code::kYamlAnchor}, offset(mark)};
-  }
-
-  /// Counts and, if that is wanted, marks all nodes of what is a copy or becomes one. `at`: for the error.
-  void count_copy(Node& node, bool mark, std::size_t at) {
-    copied_bytes_ += node.value.size();
-    if (++copies_ > kLongestList || copied_bytes_ > kMaxFileBytes) throw too_long(at);
-    node.copied = node.copied || mark;
-    for (Node& item : node.items) count_copy(item, mark, at);
-    for (Entry& entry : node.entries) count_copy(entry.value, mark, at);
-  }
-
-  Node copy_of(const Node& node, std::size_t at) {
-    if (!first_copy_) first_copy_ = at;
-    Node copy = node;
-    count_copy(copy, true, at);
-    return copy;
-  }
-
-  static bool is_merge_key(const Node& key) { return key.value == "<<" && !key.quoted && key.tag.empty(); }
-
-  /// PyYAML's: the entries of the mapping that is the value, or of the mappings in it, without those whose keys are there. Of
-  /// several merge keys the last one comes first, of the mappings in a list the first one.
-  void merge(Node& mapping) {
-    const auto merges = [](const Entry& entry) { return is_merge_key(entry.key); };
-    if (!has_anchors_ || std::ranges::none_of(mapping.entries, merges)) return;
-    std::vector<Entry> merged;
-    std::vector<Entry> own;
-    for (Entry& entry : mapping.entries) (merges(entry) ? merged : own).push_back(std::move(entry));
-    mapping.entries = std::move(own);
-    std::set<std::string> keys;
-    for (const Entry& entry : mapping.entries) keys.insert(entry.key.value);
-    const auto add_entries = [&](const Node& from, std::size_t at) {
-      if (!from.is_mapping()) throw Refusal{{Code::kYamlMergeKey}, at};
-      for (const Entry& entry : from.entries) {
-        if (keys.insert(entry.key.value).second) mapping.entries.push_back({entry.key, copy_of(entry.value, at)});
-      }
-    };
-    std::ranges::reverse(merged);
-    for (const Entry& entry : merged) {
-      const std::size_t at = entry.key.span.offset;
-      if (!entry.value.is_sequence()) add_entries(entry.value, at);
-      for (const Node& item : entry.value.items) add_entries(item, at);
-    }
   }
 
   /// Where a value begins behind its anchor and tag, from where those begin. `kinds`: "&" of anchors, "!" of tags.
@@ -237,12 +191,12 @@ class TreeBuilder : public YAML::EventHandler {
       }
     }
     node.span.length = end - node.span.offset;
-    merge(node);
+    if (has_anchors_) copies_.merge(node);
     add(std::move(node), anchor);
   }
 
   void add(Node node, YAML::anchor_t anchor = 0) {
-    if (anchor != 0) count_copy(anchored_.insert_or_assign(anchor, node).first->second, false, node.span.offset);
+    if (anchor != 0) copies_.keep(anchor, node);
     if (stack_.empty()) {
       root_ = std::move(node);
       return;
@@ -277,11 +231,8 @@ class TreeBuilder : public YAML::EventHandler {
   const Source& source_;
   const SpacedText& spaced_;
   std::size_t skipped_;
-  bool has_anchors_;
-  std::map<YAML::anchor_t, Node> anchored_;
-  std::size_t copies_ = 0;
-  std::size_t copied_bytes_ = 0;
-  std::optional<std::size_t> first_copy_;
+  bool has_anchors_;  ///< OpenCV's YAML has none.
+  YamlCopies copies_;
   std::size_t document_start_ = 0;
   std::vector<Open> stack_;
   Node root_;
@@ -393,7 +344,7 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
       if (further.document_start() <= last_start) throw Refusal{{Code::kYamlNothingBegins}, further.document_start()};
       last_start = further.document_start();
     }
-    if (const std::optional<std::size_t> at = builder.first_copy()) report({{Code::kYamlCopies}, *at}, source, diagnostics);
+    if (const std::optional<std::size_t> at = builder.copies().first()) report({{Code::kYamlCopies}, *at}, source, diagnostics);
     Node root = builder.take_root();
     Node* inner = syntax == Syntax::kYaml ? ros_parameters(root) : nullptr;
     if (inner == nullptr) return root;

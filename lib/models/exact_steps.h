@@ -19,12 +19,17 @@ struct ExactStep {
   std::optional<CameraModel> (*convert)(const CameraModel& model);
 };
 
-template <CameraModelType From, CameraModelType To, std::optional<Intrinsics<To>> (*kFormula)(const Intrinsics<From>&)>
-constexpr ExactStep exact_step() {
+template <auto kFormula, CameraModelType From, CameraModelType To>
+constexpr ExactStep step_of(std::optional<Intrinsics<To>> (*)(const Intrinsics<From>&)) {
   return {From::kId, To::kId, [](const CameraModel& model) -> std::optional<CameraModel> {
             if (const std::optional<Intrinsics<To>> result = kFormula(std::get<Intrinsics<From>>(model))) return *result;
             return std::nullopt;
           }};
+}
+/// Of a function from the parameters of one model to those of another.
+template <auto kFormula>
+constexpr ExactStep exact_step() {
+  return step_of<kFormula>(kFormula);
 }
 
 inline bool all_zero(std::span<const double> values) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pixel -> unit ray for many pixels of one camera: what a model's unproject() does anew for each pixel is done once (limits,
+// Pixel -> unit ray for many pixels of one camera: what a model's unproject() does again for each pixel is done once (limits,
 // and a polynomial from which Newton's method needs few steps), and what remains has neither branches nor calls, so that a
 // compiler makes SIMD of a loop over it.
 //

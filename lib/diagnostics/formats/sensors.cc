@@ -52,6 +52,7 @@ std::span<const CodeInfo> sensor_codes() {
       clause(Code::kEurocWroteImu, "an IMU's sensor.yaml, as EuRoC has it"),
       clause(Code::kCuvslamRigFound, "the key {0} of cuVSLAM's examples"),
       clause(Code::kCuvslamRigHeadline, "a rig for cuVSLAM's examples"),
+      warning(Code::kCuvslamNoDistortion, "program-ignores", "{0} {1} is not read: cuVSLAM's example undistorts nothing"),
       clause(Code::kKimeraWrote, "CameraParams and ImuParams for Kimera-VIO"),
       clause(Code::kKimeraWrotePair, "{0}; {1} is left and {2} right{3}"),
       clause(Code::kKimeraWroteOne, "{0}, monocular with {1} (it shares less than a quarter of its image with {2}){3}"),

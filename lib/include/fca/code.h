@@ -689,6 +689,7 @@ enum class Code : std::uint16_t {
   kEurocWroteImu,
   kCuvslamRigFound,
   kCuvslamRigHeadline,
+  kCuvslamNoDistortion,
   kKimeraMissingKeys,
   kKimeraOmni,
   kKimeraRateNotWhole,

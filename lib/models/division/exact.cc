@@ -28,10 +28,10 @@ std::optional<Intrinsics<Division>> from_eucm(const Intrinsics<Eucm>& eucm) {
 
 std::span<const internal::ExactStep> Division::exact_steps() {
   static constexpr std::array kSteps = {
-      internal::exact_step<Pinhole, Division, internal::widened<Pinhole, Division>>(),
-      internal::exact_step<Division, Pinhole, internal::narrowed<Division, Pinhole>>(),
-      internal::exact_step<Division, Eucm, as_eucm>(),
-      internal::exact_step<Eucm, Division, from_eucm>(),
+      internal::exact_step<internal::widened<Pinhole, Division>>(),
+      internal::exact_step<internal::narrowed<Division, Pinhole>>(),
+      internal::exact_step<as_eucm>(),
+      internal::exact_step<from_eucm>(),
   };
   return kSteps;
 }

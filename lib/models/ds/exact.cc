@@ -12,9 +12,6 @@ namespace fca {
 
 namespace {
 
-/// xi = 0.
-std::optional<Intrinsics<Ds>> from_ucm(const Intrinsics<Ucm>& ucm) { return internal::widened<Ucm, Ds>(ucm); }
-
 std::optional<Intrinsics<Ucm>> as_ucm(const Intrinsics<Ds>& ds) {
   const auto& [fx, fy, cx, cy, alpha, xi] = ds.values;
   if (xi == 0.0) return Intrinsics<Ucm>{{fx, fy, cx, cy, alpha}};
@@ -26,8 +23,8 @@ std::optional<Intrinsics<Ucm>> as_ucm(const Intrinsics<Ds>& ds) {
 
 std::span<const internal::ExactStep> Ds::exact_steps() {
   static constexpr std::array kSteps = {
-      internal::exact_step<Ucm, Ds, from_ucm>(),
-      internal::exact_step<Ds, Ucm, as_ucm>(),
+      internal::exact_step<internal::widened<Ucm, Ds>>(),  // xi = 0
+      internal::exact_step<as_ucm>(),
   };
   return kSteps;
 }

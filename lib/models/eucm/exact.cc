@@ -34,9 +34,9 @@ std::optional<Intrinsics<Pinhole>> as_pinhole(const Intrinsics<Eucm>& eucm) {
 
 std::span<const internal::ExactStep> Eucm::exact_steps() {
   static constexpr std::array kSteps = {
-      internal::exact_step<Ucm, Eucm, from_ucm>(),
-      internal::exact_step<Eucm, Ucm, as_ucm>(),
-      internal::exact_step<Eucm, Pinhole, as_pinhole>(),
+      internal::exact_step<from_ucm>(),
+      internal::exact_step<as_ucm>(),
+      internal::exact_step<as_pinhole>(),
   };
   return kSteps;
 }

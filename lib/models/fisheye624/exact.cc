@@ -26,8 +26,8 @@ std::optional<Intrinsics<Kb4>> as_kb4(const Intrinsics<Fisheye624>& model) {
 
 std::span<const internal::ExactStep> Fisheye624::exact_steps() {
   static constexpr std::array kSteps = {
-      internal::exact_step<Kb4, Fisheye624, from_kb4>(),
-      internal::exact_step<Fisheye624, Kb4, as_kb4>(),
+      internal::exact_step<from_kb4>(),
+      internal::exact_step<as_kb4>(),
   };
   return kSteps;
 }

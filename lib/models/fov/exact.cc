@@ -33,8 +33,8 @@ std::optional<Intrinsics<Kb4>> as_kb4(const Intrinsics<Fov>& fov) {
 
 std::span<const internal::ExactStep> Fov::exact_steps() {
   static constexpr std::array kSteps = {
-      internal::exact_step<Kb4, Fov, from_kb4>(),
-      internal::exact_step<Fov, Kb4, as_kb4>(),
+      internal::exact_step<from_kb4>(),
+      internal::exact_step<as_kb4>(),
   };
   return kSteps;
 }

@@ -41,10 +41,10 @@ std::optional<Intrinsics<Ucm>> as_ucm(const Intrinsics<Mei>& mei) {
 
 std::span<const internal::ExactStep> Mei::exact_steps() {
   static constexpr std::array kSteps = {
-      internal::exact_step<Radtan, Mei, from_radtan>(),
-      internal::exact_step<Mei, Radtan, as_radtan>(),
-      internal::exact_step<Ucm, Mei, from_ucm>(),
-      internal::exact_step<Mei, Ucm, as_ucm>(),
+      internal::exact_step<from_radtan>(),
+      internal::exact_step<as_radtan>(),
+      internal::exact_step<from_ucm>(),
+      internal::exact_step<as_ucm>(),
   };
   return kSteps;
 }

@@ -35,9 +35,9 @@ std::optional<Intrinsics<Ocamcalib>> from_stereographic(const Intrinsics<Ucm>& u
 
 std::span<const internal::ExactStep> Ocamcalib::exact_steps() {
   static constexpr std::array kSteps = {
-      internal::exact_step<Pinhole, Ocamcalib, from_pinhole>(),
-      internal::exact_step<Ocamcalib, Pinhole, as_pinhole>(),
-      internal::exact_step<Ucm, Ocamcalib, from_stereographic>(),
+      internal::exact_step<from_pinhole>(),
+      internal::exact_step<as_pinhole>(),
+      internal::exact_step<from_stereographic>(),
   };
   return kSteps;
 }

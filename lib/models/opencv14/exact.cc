@@ -11,8 +11,8 @@ namespace fca {
 
 std::span<const internal::ExactStep> Opencv14::exact_steps() {
   static constexpr std::array kSteps = {
-      internal::exact_step<Rational, Opencv14, internal::widened<Rational, Opencv14>>(),
-      internal::exact_step<Opencv14, Rational, internal::narrowed<Opencv14, Rational>>(),
+      internal::exact_step<internal::widened<Rational, Opencv14>>(),
+      internal::exact_step<internal::narrowed<Opencv14, Rational>>(),
   };
   return kSteps;
 }

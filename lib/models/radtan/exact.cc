@@ -11,8 +11,8 @@ namespace fca {
 
 std::span<const internal::ExactStep> Radtan::exact_steps() {
   static constexpr std::array kSteps = {
-      internal::exact_step<Pinhole, Radtan, internal::widened<Pinhole, Radtan>>(),
-      internal::exact_step<Radtan, Pinhole, internal::narrowed<Radtan, Pinhole>>(),
+      internal::exact_step<internal::widened<Pinhole, Radtan>>(),
+      internal::exact_step<internal::narrowed<Radtan, Pinhole>>(),
   };
   return kSteps;
 }

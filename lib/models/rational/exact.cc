@@ -11,8 +11,8 @@ namespace fca {
 
 std::span<const internal::ExactStep> Rational::exact_steps() {
   static constexpr std::array kSteps = {
-      internal::exact_step<Radtan, Rational, internal::widened<Radtan, Rational>>(),
-      internal::exact_step<Rational, Radtan, internal::narrowed<Rational, Radtan>>(),
+      internal::exact_step<internal::widened<Radtan, Rational>>(),
+      internal::exact_step<internal::narrowed<Rational, Radtan>>(),
   };
   return kSteps;
 }

@@ -26,8 +26,8 @@ std::optional<Intrinsics<Kb4>> as_kb4(const Intrinsics<ThinPrismFisheye>& model)
 
 std::span<const internal::ExactStep> ThinPrismFisheye::exact_steps() {
   static constexpr std::array kSteps = {
-      internal::exact_step<Kb4, ThinPrismFisheye, from_kb4>(),
-      internal::exact_step<ThinPrismFisheye, Kb4, as_kb4>(),
+      internal::exact_step<from_kb4>(),
+      internal::exact_step<as_kb4>(),
   };
   return kSteps;
 }

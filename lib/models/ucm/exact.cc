@@ -11,8 +11,8 @@ namespace fca {
 
 std::span<const internal::ExactStep> Ucm::exact_steps() {
   static constexpr std::array kSteps = {
-      internal::exact_step<Pinhole, Ucm, internal::widened<Pinhole, Ucm>>(),
-      internal::exact_step<Ucm, Pinhole, internal::narrowed<Ucm, Pinhole>>(),
+      internal::exact_step<internal::widened<Pinhole, Ucm>>(),
+      internal::exact_step<internal::narrowed<Ucm, Pinhole>>(),
   };
   return kSteps;
 }

@@ -28,8 +28,8 @@ std::optional<Intrinsics<Kb4>> as_kb4(const Intrinsics<Woodscape>& woodscape) {
 
 std::span<const internal::ExactStep> Woodscape::exact_steps() {
   static constexpr std::array kSteps = {
-      internal::exact_step<Kb4, Woodscape, from_kb4>(),
-      internal::exact_step<Woodscape, Kb4, as_kb4>(),
+      internal::exact_step<from_kb4>(),
+      internal::exact_step<as_kb4>(),
   };
   return kSteps;
 }

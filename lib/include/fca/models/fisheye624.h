@@ -29,7 +29,7 @@ namespace fca {
 namespace internal {
 
 /// L = 1 with a thin prism of two orders, q = 0 0 p1 p2 s0 s1 s2 s3.
-struct UnitPrismFactor {
+struct UnitPrismFactor : ThinPrism<4> {
   static constexpr std::size_t kCount = 8;
   static constexpr bool kPrism = true;
 
@@ -45,18 +45,10 @@ struct UnitPrismFactor {
   static bool inside(const double* q, double r) { return positive_on(condition(q), r); }
   static double max_radius(const double* q) { return positive_until(condition(q), std::numeric_limits<double>::infinity()); }
 
-  static double longest(const double* q, double r2) { return r2 * (length(q[4], q[6]) + r2 * length(q[5], q[7])); }
-  template <class T>
-  static void add(const T* q, const T& r2, T* m) {
-    m[0] += r2 * (q[4] + r2 * q[5]);
-    m[1] += r2 * (q[6] + r2 * q[7]);
-  }
-  static std::array<double, 2> slopes(const double* q, double r2) { return {q[4] + 2.0 * r2 * q[5], q[6] + 2.0 * r2 * q[7]}; }
-
  private:
   /// 1 - 6 P r without what the prism takes of it. The other conditions of the disc follow from it where L = A = 1.
   static std::array<double, 4> condition(const double* q) {
-    return {1.0, -6.0 * length(q[2], q[3]) - 2.0 * length(q[4], q[6]), 0.0, -4.0 * length(q[5], q[7])};
+    return {1.0, -6.0 * length(q[2], q[3]) - 2.0 * linear(q), 0.0, -4.0 * square(q)};
   }
 };
 

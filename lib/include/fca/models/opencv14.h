@@ -30,7 +30,7 @@ namespace fca {
 namespace internal {
 
 /// RationalFactor with thin prism terms: q = k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4.
-struct PrismFactor : RationalFactor {
+struct PrismFactor : RationalFactor, ThinPrism<8> {
   static constexpr std::size_t kCount = 12;
   static constexpr bool kPrism = true;
 
@@ -46,20 +46,6 @@ struct PrismFactor : RationalFactor {
                                         positive_until(with_prism(q, kRadial, 6.0, 1.0), before_pole(q)));
     return positive_until(across(q), other);
   }
-
-  /// The lengths of (s1, s3) and (s2, s4).
-  static double linear(const double* q) { return length(q[8], q[10]); }
-  static double square(const double* q) { return length(q[9], q[11]); }
-  /// How far the prism moves a point at r, at most.
-  static double longest(const double* q, double r2) { return r2 * (linear(q) + r2 * square(q)); }
-
-  template <class T>
-  static void add(const T* q, const T& r2, T* m) {
-    m[0] += r2 * (q[8] + r2 * q[9]);
-    m[1] += r2 * (q[10] + r2 * q[11]);
-  }
-  /// d(m_x, m_y)/d(r^2) of the prism.
-  static std::array<double, 2> slopes(const double* q, double r2) { return {q[8] + 2.0 * r2 * q[9], q[10] + 2.0 * r2 * q[11]}; }
 
   /// W > 0 as a polynomial in r times D: the distorted point is at most r N / D + 3 P r^2 and the prism's length from the
   /// centre.

@@ -28,6 +28,27 @@ namespace fca::internal {
 /// The length of a vector.
 inline double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
+/// The shift of a thin prism of two orders, r^2 (s1 + s2 r^2) along x and r^2 (s3 + s4 r^2) along y, whose coefficients begin
+/// at q[kFirst].
+template <std::size_t kFirst>
+struct ThinPrism {
+  /// The lengths of (s1, s3) and (s2, s4).
+  static double linear(const double* q) { return length(q[kFirst], q[kFirst + 2]); }
+  static double square(const double* q) { return length(q[kFirst + 1], q[kFirst + 3]); }
+  /// How far it moves a point at r, at most.
+  static double longest(const double* q, double r2) { return r2 * (linear(q) + r2 * square(q)); }
+
+  template <class T>
+  static void add(const T* q, const T& r2, T* m) {
+    m[0] += r2 * (q[kFirst] + r2 * q[kFirst + 1]);
+    m[1] += r2 * (q[kFirst + 2] + r2 * q[kFirst + 3]);
+  }
+  /// d(m_x, m_y)/d(r^2).
+  static std::array<double, 2> slopes(const double* q, double r2) {
+    return {q[kFirst] + 2.0 * r2 * q[kFirst + 1], q[kFirst + 2] + 2.0 * r2 * q[kFirst + 3]};
+  }
+};
+
 /// A thin prism adds a shift that depends on r^2 alone. The Jacobian is then no longer symmetric, but where its symmetric part
 /// is positive definite on a disc, the map is injective there, too. The prism takes at most its gradient's length from each
 /// eigenvalue of that part, as if L and A were smaller by it; that L stays above 2 P r is then a condition of its own.
