@@ -315,6 +315,10 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
 
 std::optional<Written> write_calibration(const Format& format, const text::Document* base, const Rig& rig,
                                          const WriteOptions& options, Diagnostics& diagnostics) {
+  if (!format.is_written()) {
+    diagnostics.add(Code::kFormatIsReadOnly, {format.title});
+    return std::nullopt;
+  }
   std::optional<Written> written = format.write(base, rig, options, diagnostics);
   if (!written) return std::nullopt;
   for (const Written::File& file : written->files) {

@@ -49,6 +49,7 @@ const text::Node* node_at(const text::Node& root, std::size_t offset) {
 }
 
 std::vector<text::Span> Places::edits_for(const Rig& rig) const {
+  if (!calibration_->format->is_written()) return {};
   Diagnostics ignored;
   const std::optional<Written> written = calibration_->format->write(document_, rig, {}, ignored);
   for (const Written::File& file : written ? written->files : std::vector<Written::File>()) {

@@ -27,17 +27,23 @@ namespace fca {
 namespace {
 
 const auto& table() {
-  static const std::array kTable = {guarded<kalibr::kFormat>(), guarded<opencv::kFormat>(),    guarded<ocamcalib::kFormat>(),
-                                    guarded<tumvi::kFormat>(),  guarded<orbslam3::kFormat>(),  guarded<woodscape::kFormat>(),
-                                    guarded<basalt::kFormat>(), guarded<openvins::kFormat>(),  guarded<vins::kFormat>(),
-                                    guarded<ros::kFormat>(),    guarded<euroc::kFormat>(),     guarded<kimera::kFormat>(),
-                                    guarded<colmap::kFormat>(), guarded<nerfstudio::kFormat>()};
+  static const std::array kTable = {
+      guarded<kalibr::kFormat>(),   guarded<opencv::kFormat>(),     guarded<ocamcalib::kFormat>(), guarded<tumvi::kFormat>(),
+      guarded<orbslam3::kFormat>(), guarded<woodscape::kFormat>(),  guarded<basalt::kFormat>(),    guarded<openvins::kFormat>(),
+      guarded<vins::kFormat>(),     guarded<ros::kFormat>(),        guarded<euroc::kFormat>(),     guarded<kimera::kFormat>(),
+      guarded<colmap::kFormat>(),   guarded<nerfstudio::kFormat>(),
+  };
   return kTable;
 }
 
 }  // namespace
 
 std::span<const Format> all_formats() { return table(); }
+
+std::span<const Format> written_formats() {
+  static const std::size_t kCount = static_cast<std::size_t>(std::ranges::count_if(table(), &Format::is_written));
+  return std::span(table()).first(kCount);
+}
 
 const Format* find_format(std::string_view name) {
   const auto& formats = table();

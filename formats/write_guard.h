@@ -23,6 +23,7 @@ namespace fca {
 template <const Format& kFormat>
 Format guarded() {
   Format format = kFormat;
+  if (!format.is_written()) return format;
   format.write = [](const text::Document* base, const Rig& rig, const WriteOptions& options,
                     Diagnostics& diagnostics) -> std::optional<Written> {
     if (!may_be_written(rig, diagnostics)) return std::nullopt;

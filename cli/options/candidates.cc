@@ -30,7 +30,7 @@ Values formats(Words /*words*/) {
 
 Values layouts(Words /*words*/) {
   Values names;
-  for (const Format& format : all_formats()) names.insert(names.end(), format.layouts.begin(), format.layouts.end());
+  for (const Format& format : written_formats()) names.insert(names.end(), format.layouts.begin(), format.layouts.end());
   return names;
 }
 
@@ -40,7 +40,7 @@ Values programs(Words /*words*/) { return program_ids(); }
 
 Values modes(Words /*words*/) {
   std::set<std::string> names;
-  for (const Format& format : all_formats()) names.insert(format.modes.begin(), format.modes.end());
+  for (const Format& format : written_formats()) names.insert(format.modes.begin(), format.modes.end());
   return {names.begin(), names.end()};
 }
 

@@ -19,7 +19,7 @@ namespace {
 /// A name of each format whose program takes cameras on its command line.
 std::vector<std::string> printed(std::string_view Format::*name) {
   std::vector<std::string> names;
-  for (const Format& format : all_formats()) {
+  for (const Format& format : written_formats()) {
     if (format.arguments != nullptr) names.emplace_back(format.*name);
   }
   return names;
@@ -102,7 +102,7 @@ std::optional<std::string> problem_with(const ConvertArguments& arguments, bool 
     return "--in-place is for --into BASE; to change the input itself: fca-io convert " + input + " --into " + input +
            " --in-place";
   }
-  if (request.into.empty() && request.to == nullptr) return "--to FORMAT is missing: " + format_names();
+  if (request.into.empty() && request.to == nullptr) return "--to FORMAT is missing: " + target_names();
   if (const std::optional<std::string> error = problem_with(request)) return error;
   if (arguments.in_place && arguments.output.is_said()) return "--in-place writes BASE itself; leave out -o";
   if (request.as_arguments && (request.to == nullptr || request.to->arguments == nullptr)) {

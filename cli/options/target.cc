@@ -22,7 +22,7 @@ namespace {
 /// One of the modes of any format.
 std::optional<std::string> take_mode(const std::string& word, std::optional<FormatMode>& target) {
   std::vector<std::string> known;
-  for (const Format& format : all_formats()) {
+  for (const Format& format : written_formats()) {
     target = FormatMode::find(format, word);
     if (target) return std::nullopt;
     known.insert(known.end(), format.modes.begin(), format.modes.end());
@@ -70,7 +70,7 @@ std::string degrees_in_words(const std::string& between) {
 /// "orbslam3: mono, stereo or rgbd" of each format that has modes.
 std::string modes_in_words() {
   std::string words;
-  for (const Format& format : all_formats()) {
+  for (const Format& format : written_formats()) {
     if (format.modes.empty()) continue;
     const std::vector<std::string> modes(format.modes.begin(), format.modes.end());
     words += (words.empty() ? "" : "; ") + std::string(format.id) + ": " + text::enumerated(modes, "or");
@@ -111,7 +111,7 @@ void add_target_options(Options& options, ConvertRequest& request) {
   options.group(OptionGroup::kTarget);
   options.value("--sensor", "MODE", modes_in_words() + " (default: the richest the input serves)",
                 [&request](const std::string& word) { return take_mode(word, request.mode); });
-  for (const Format& format : all_formats()) {
+  for (const Format& format : written_formats()) {
     if (format.layouts.empty()) continue;
     options.value("--" + std::string(format.id) + "-layout", "LAYOUT", text::text_of({format.about_layouts, {}}),
                   [&request, &format](const std::string& word) { return take_layout(word, format, request.layout); });

@@ -53,6 +53,12 @@ std::vector<std::string> format_ids() {
   return ids;
 }
 
+std::vector<std::string> target_ids() {
+  std::vector<std::string> ids;
+  for (const Format& format : written_formats()) ids.emplace_back(format.id);
+  return ids;
+}
+
 std::vector<std::string> model_ids() {
   std::vector<std::string> ids;
   for (const ModelInfo& model : all_models()) ids.emplace_back(model.id);
@@ -69,7 +75,7 @@ std::vector<std::string> code_ids() {
 
 std::string format_names() { return text::enumerated(format_ids()); }
 
-std::string target_names() { return format_names() + "; or a program, such as vins-fusion, ros2 or orbslam2"; }
+std::string target_names() { return text::enumerated(target_ids()) + "; or a program, such as vins-fusion, ros2 or orbslam2"; }
 
 std::string model_names() {
   std::vector<std::string> names;
@@ -112,6 +118,11 @@ std::optional<std::string> take_format(const std::string& option, const std::str
 std::optional<std::string> take_target(const std::string& word, ConvertRequest& request) {
   std::optional<Target> found = find_target(word);
   if (!found) return unknown_target("--to", word);
+  if (!found->format->is_written()) {
+    const std::vector<std::string> written = target_ids();
+    return "fca-io reads files of " + std::string(found->format->program) + " and does not write them; --to takes " +
+           text::enumerated(written, "or");
+  }
   request.to = found->format;
   request.program = found->program;
   request.extension = std::move(found->extension);

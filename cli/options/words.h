@@ -16,6 +16,8 @@
 namespace fca::cli {
 
 [[nodiscard]] std::vector<std::string> format_ids();
+/// Those that are written.
+[[nodiscard]] std::vector<std::string> target_ids();
 [[nodiscard]] std::vector<std::string> model_ids();
 /// Of all codes that are printed in brackets, by name.
 [[nodiscard]] std::vector<std::string> code_ids();

@@ -23,9 +23,9 @@ struct Conversion {
 };
 
 Target target_named(const std::string& name) {
-  if (std::optional<Target> target = find_target(name)) return *std::move(target);
+  if (std::optional<Target> target = find_target(name); target && target->format->is_written()) return *std::move(target);
   std::vector<std::string> known;
-  for (const Format& format : all_formats()) known.emplace_back(format.id);
+  for (const Format& format : written_formats()) known.emplace_back(format.id);
   raise_value_error("fca-io writes no '" + name + "'; there are " + text::enumerated(known));
 }
 

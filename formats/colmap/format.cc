@@ -399,6 +399,7 @@ std::string arguments(const Camera& camera, const text::Document& file, std::siz
 const Format kFormat = {
     .id = "colmap",
     .title = "COLMAP cameras.txt or .bin, rigs, rig_config.json",
+    .group = FormatGroup::kReconstruction,
     .syntaxes = "text, binary, JSON",
     .extension = ".txt",
     .program = "COLMAP",

@@ -22,6 +22,8 @@ using pyyaml::Kind;
 using pyyaml::Value;
 
 /// The keys of a file, and what the example says of them.
+constexpr std::string_view kExample = "cuVSLAM's EuRoC example";
+
 class Sensor {
  public:
   Sensor(const Value& root, ConsumerView& view) : root_(root), view_(view) {}
@@ -32,7 +34,7 @@ class Sensor {
 
   const Value* require(const std::string& key) {
     const Value* value = root_.find(key);
-    if (value == nullptr) refuse(Code::kCuvslamSaysMissing, key);
+    if (value == nullptr) refuse(Code::kProgramSaysMissing, key, {kExample});
     return value;
   }
 
@@ -40,7 +42,7 @@ class Sensor {
     const Value* value = require(key);
     if (value == nullptr) return std::nullopt;
     if (value->is_number()) return value->number;
-    refuse(Code::kCuvslamSaysNoNumber, key, {pyyaml::describe(*value)});
+    refuse(Code::kProgramSaysNoNumber, key, {pyyaml::describe(*value), kExample});
     return std::nullopt;
   }
 
@@ -53,7 +55,7 @@ class Sensor {
       }
     }
     if (list->kind == Kind::kList && list->items.size() == count && values.size() == count) return values;
-    refuse(Code::kCuvslamSaysNumberCount, path, {count});
+    refuse(Code::kProgramSaysNumberCount, path, {count, kExample});
     return std::nullopt;
   }
   std::optional<std::vector<double>> numbers(const std::string& key, std::size_t count) {
@@ -66,7 +68,7 @@ class Sensor {
       if (!key->text.starts_with("T_")) continue;
       const std::string path = key->text + "/data";
       const Value* data = value->kind == Kind::kMap ? value->find("data") : nullptr;
-      if (data == nullptr) refuse(Code::kCuvslamSaysMissing, path);
+      if (data == nullptr) refuse(Code::kProgramSaysMissing, path, {kExample});
       const std::optional<std::vector<double>> matrix = numbers(data, path, 16);
       if (!matrix) return std::nullopt;
       ConsumerPose pose = {key->text == "T_Cam0" ? "" : "imu0", "", {}};
@@ -85,11 +87,11 @@ class Sensor {
 pyyaml::ValuePtr load_map(std::string_view bytes, ConsumerView& view) {
   pyyaml::Loaded loaded = pyyaml::safe_load(bytes);
   if (!loaded.root) {
-    view.refusals.emplace_back(Code::kCuvslamSaysNotParsed, "", std::vector<Argument>{loaded.error});
+    view.refusals.emplace_back(Code::kProgramSaysNotParsed, "", std::vector<Argument>{"PyYAML", loaded.error});
     return nullptr;
   }
   if (loaded.root->kind == Kind::kMap) return loaded.root;
-  view.refusals.emplace_back(Code::kCuvslamSaysNoMap, "");
+  view.refusals.emplace_back(Code::kProgramSaysNoKeys, "");
   return nullptr;
 }
 
@@ -144,8 +146,9 @@ ConsumerView load_pairs(const Value& pairs, ConsumerView view) {
         }
       }
       if (count != 12 || rows->items.size() != 3) {
-        view.refusals.push_back(about_key(rows == nullptr ? Code::kCuvslamSaysMissing : Code::kCuvslamSaysNumberCount, path,
-                                          rows == nullptr ? std::vector<Argument>() : std::vector<Argument>{12}));
+        view.refusals.push_back(
+            about_key(rows == nullptr ? Code::kProgramSaysMissing : Code::kProgramSaysNumberCount, path,
+                      rows == nullptr ? std::vector<Argument>{kExample} : std::vector<Argument>{12, kExample}));
         view.poses.clear();
         return view;
       }

@@ -47,7 +47,7 @@ class Parameters {
     cv::FileNode node = storage_[path.substr(0, slash)];
     if (slash != std::string::npos && node.isMap()) node = node[path.substr(slash + 1)];
     if (slash != std::string::npos && !storage_[path.substr(0, slash)].isMap()) node = cv::FileNode();
-    if (node.empty()) refuse(Code::kKimeraSaysMissing, path);
+    if (node.empty()) refuse(Code::kProgramSaysMissing, path, {kProgram});
     return node;
   }
 
@@ -55,7 +55,7 @@ class Parameters {
     const cv::FileNode node = require(key);
     if (node.empty()) return "";
     if (node.isString() && !node.string().empty()) return node.string();
-    refuse(Code::kKimeraSaysNoText, key);
+    refuse(Code::kProgramSaysNoText, key, {kProgram});
     return "";
   }
 
@@ -78,7 +78,7 @@ class Parameters {
       if (good) values.push_back(static_cast<double>(node[i]));
     }
     if (good && (count == 0 || values.size() == count)) return values;
-    refuse(Code::kKimeraSaysNumberCount, path, {count});
+    refuse(Code::kProgramSaysNumberCount, path, {count, kProgram});
     return std::nullopt;
   }
 

@@ -71,6 +71,7 @@ std::optional<ValueType> optional_value(const text::Document& document, std::str
 const Format kFormat = {
     .id = "kalibr",
     .title = "Kalibr camchain",
+    .group = FormatGroup::kCalibration,
     .syntaxes = "YAML",
     .extension = ".yaml",
     .program = "Kalibr",

@@ -166,6 +166,7 @@ constexpr std::array kDemands = {Demand{"images and their poses", kFrames}};
 const Format kFormat = {
     .id = "nerfstudio",
     .title = "nerfstudio transforms.json",
+    .group = FormatGroup::kReconstruction,
     .syntaxes = "JSON",
     .extension = ".json",
     .program = "nerfstudio",

@@ -71,6 +71,7 @@ ProbeResult probe(const text::Document& document) {
 const Format kFormat = {
     .id = "ocamcalib",
     .title = "OCamCalib calib_results.txt",
+    .group = FormatGroup::kCalibration,
     .syntaxes = "text",
     .extension = ".txt",
     .program = "OCamCalib",

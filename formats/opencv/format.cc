@@ -36,6 +36,7 @@ ProbeResult probe(const text::Document& document) {
 const Format kFormat = {
     .id = "opencv",
     .title = "OpenCV calibration (cv::FileStorage)",
+    .group = FormatGroup::kCalibration,
     .syntaxes = "YAML, XML, JSON",
     .extension = ".yml",
     .program = "OpenCV",

@@ -62,6 +62,7 @@ bool layout_holds(const text::Document& document, std::string_view model) {
 const Format kFormat = {
     .id = "ros",
     .title = "ROS camera_info",
+    .group = FormatGroup::kCalibration,
     .syntaxes = "YAML, INI",
     .extension = ".yaml",
     .program = "ROS",

@@ -24,7 +24,7 @@ std::optional<double> value_of(const Subject& subject, const Key& key) {
   const std::optional<double> stated =
       subject.imu < subject.rig.imus.size() ? subject.rig.imus[subject.imu].*key.with.imu : std::nullopt;
   if (stated || subject.fresh == nullptr) return stated;
-  const Message value{subject.schema.codes.initial_value, {key.with.initial}};
+  const Message value{subject.schema.codes.initial_value, {key.with.initial, subject.schema.program}};
   subject.fresh->defaults.push_back({key.text(), value, true, true});
   return key.with.initial;
 }

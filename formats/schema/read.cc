@@ -22,7 +22,7 @@ void warn_of_missing(Reading& reading, const Mapping& mapping, const Node& node)
   }
   SourceRange where = reading.reader.document().range(node);
   where.length = 1;
-  if (!missing.empty()) reading.reader.diagnostics().add(mapping.missing, {missing}, where);
+  if (!missing.empty()) reading.reader.diagnostics().add(mapping.missing, {missing, reading.schema.program}, where);
 }
 
 /// A list with one item for each camera.

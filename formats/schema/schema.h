@@ -105,7 +105,7 @@ struct Mapping {
   std::optional<std::string_view> unread = {};
   bool warns_of_duplicates = false;  ///< And of entries that are kept only those that count.
   bool in_turn = false;              ///< No key is read after one that cannot be read.
-  Code missing = {};                 ///< Said of all keys without which only the program stops; none: nothing is.
+  Code missing = {};                 ///< Said of all keys {0} without which only the program {1} stops; none: nothing is.
 };
 
 /// What a missing key is: nothing, a warning, an error.
@@ -185,7 +185,7 @@ struct Codes {
   Code no_size = {};            ///< {0}'s value is no list of width and height.
   Code offset_not_whole = {};   ///< {0} is {1}, and a whole number is wanted.
   Code offset_invalid = {};     ///< {0}: {1}
-  Code initial_value = {};      ///< Made up: {0}, what the program starts from.
+  Code initial_value = {};      ///< Made up: {0}, what the program {1} starts from.
   Code one_offset = {};         ///< There is one time offset for all cameras, a clause.
   Code offset_rounded = {};     ///< The time offset {2} is rounded to the file's unit.
   Code further_imu = {};        ///< {0} is lost: there is one IMU.
@@ -196,6 +196,7 @@ struct Schema {
   text::Dialect dialect;
   Mapping root;
   Codes codes;
+  std::string_view program = {};  ///< That reads it, for what is said of missing keys and initial values.
   bool one_camera = false;        ///< The document is a camera's, "cam0" if it does not name it.
   std::string_view model = {};    ///< Of that camera, where all are of one model.
   bool numbers_in_lines = false;  ///< A fresh file has each number of a list on a line of its own.

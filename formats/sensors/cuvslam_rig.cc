@@ -105,7 +105,7 @@ class RigReader {
 
   bool is_object(const Node& node, std::string_view what) {
     if (node.is_mapping()) return true;
-    reader_.say(node, Code::kSensorNoObject, {what});
+    reader_.say(node, Code::kTableNoObject, {what});
     return false;
   }
 

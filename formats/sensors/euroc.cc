@@ -207,6 +207,7 @@ constexpr std::array kDemands = {Demand{"pose in the IMU", "T_BS"}};
 const Format kFormat = {
     .id = "euroc",
     .title = "EuRoC sensor.yaml",
+    .group = FormatGroup::kDatasets,
     .syntaxes = "YAML",
     .extension = ".yaml",
     .program = "cuVSLAM",

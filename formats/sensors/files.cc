@@ -23,7 +23,7 @@ bool read_document(const Files& files, const text::Document& document, const Rea
                    Diagnostics& diagnostics) {
   const Node& root = document.root();
   if (!root.is_mapping()) {
-    diagnostics.add(Code::kSensorWrongSyntax, {}, {document.source().name, 0, 0});
+    diagnostics.add(Code::kTableWrongSyntax, {}, {document.source().name, 0, 0});
     return false;
   }
   const bool of_imu = is_imu(root);
@@ -155,7 +155,7 @@ std::optional<Written> write(const Files& files, const text::Document* base, con
   const std::optional<Rig> old = options.anew ? std::nullopt : there;
   const bool of_imu = old && old->cameras.empty();
   const bool only_imu = rig.cameras.empty() && !rig.imus.empty();
-  if (!only_imu && !writable_alone(files.format, rig, Message{Code::kSensorDemandsSize}, diagnostics)) return std::nullopt;
+  if (!only_imu && !writable_alone(files.format, rig, Message{Code::kTableDemandsSize}, diagnostics)) return std::nullopt;
 
   Written written;
   bool edits = false;

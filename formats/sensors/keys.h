@@ -15,8 +15,8 @@ inline constexpr schema::PoseLayout kPoseInBody = {.frame = schema::kImu,
                                                    .kind = FrameKind::kImu,
                                                    .translation = {},
                                                    .rotation = {},
-                                                   .in_frame = Code::kSensorPoseInFrame,
-                                                   .identity = Code::kSensorIdentity};
+                                                   .in_frame = Code::kTablePoseInFrame,
+                                                   .identity = Code::kTableIdentity};
 
 inline constexpr std::array kPoseKeys = {schema::side_of_four("cols"), schema::side_of_four("rows"), schema::unread("dt"),
                                          schema::required(schema::matrix("data", "T_BS", kPoseInBody))};
@@ -58,15 +58,15 @@ constexpr auto joined(const std::array<schema::Key, kSizes>&... lists) {
   return keys;
 }
 
-inline constexpr schema::Codes kCodes = {.wrong_syntax = Code::kSensorWrongSyntax,
-                                         .no_object = Code::kSensorNoObject,
-                                         .unknown_lens = Code::kSensorUnknownLens,
-                                         .coefficient_count = Code::kSensorCoefficientCount,
-                                         .not_four = Code::kSensorSideNotFour,
-                                         .no_identity = Code::kSensorNoIdentity,
-                                         .no_size = Code::kSensorNoSize,
+inline constexpr schema::Codes kCodes = {.wrong_syntax = Code::kTableWrongSyntax,
+                                         .no_object = Code::kTableNoObject,
+                                         .unknown_lens = Code::kTableUnknownLens,
+                                         .coefficient_count = Code::kTableCoefficientCount,
+                                         .not_four = Code::kTableSideNotFour,
+                                         .no_identity = Code::kTableNoIdentity,
+                                         .no_size = Code::kTableNoSize,
                                          .initial_value = Code::kKimeraInitialValue,
                                          .one_offset = Code::kKimeraOneOffset,
-                                         .further_imu = Code::kSensorFurtherImu};
+                                         .further_imu = Code::kTableFurtherImu};
 
 }  // namespace fca::sensors

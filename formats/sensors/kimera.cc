@@ -138,16 +138,20 @@ constexpr auto kImuKeys = sensors::joined(kImuHead, sensors::noise_keys({1.6968e
 constexpr auto kAllKeys = sensors::joined(kCameraKeys, kImuKeys);
 
 constexpr schema::Schema schema_of(const schema::Mapping& root) {
-  return {.what = "a file of Kimera-VIO", .dialect = text::Dialect::kOpenCv, .root = root, .codes = sensors::kCodes};
+  return {.what = "a file of Kimera-VIO",
+          .dialect = text::Dialect::kOpenCv,
+          .root = root,
+          .codes = sensors::kCodes,
+          .program = "Kimera-VIO"};
 }
 constexpr schema::Schema kCameraTable = schema_of({.keys = kCameraKeys,
                                                    .written = kCameraOrder,
                                                    .unread = "",
                                                    .warns_of_duplicates = true,
                                                    .in_turn = true,
-                                                   .missing = Code::kKimeraMissingKeys});
+                                                   .missing = Code::kTableMissingKeys});
 constexpr schema::Schema kImuTable = schema_of(
-    {.keys = kImuKeys, .unread = "", .warns_of_duplicates = true, .in_turn = true, .missing = Code::kKimeraMissingKeys});
+    {.keys = kImuKeys, .unread = "", .warns_of_duplicates = true, .in_turn = true, .missing = Code::kTableMissingKeys});
 constexpr schema::Schema kTable = schema_of({.keys = kAllKeys});
 
 std::string first_camera(const text::Document& /*document*/) { return "cam0"; }

@@ -176,6 +176,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
 const Format kFormat = {
     .id = "tumvi",
     .title = "TUM-VI calibration",
+    .group = FormatGroup::kDatasets,
     .syntaxes = "YAML, text",
     .extension = ".yaml",
     .program = "Kalibr",

@@ -131,6 +131,7 @@ constexpr std::array kDemands = {Demand{"pose in the vehicle", "extrinsic"}};
 const Format kFormat = {
     .id = "woodscape",
     .title = "WoodScape JSON",
+    .group = FormatGroup::kDatasets,
     .syntaxes = "JSON",
     .extension = ".json",
     .program = "WoodScape",

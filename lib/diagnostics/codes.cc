@@ -32,6 +32,7 @@ std::vector<CodeInfo> joined_topics() {
            diagnostics::woodscape_codes(),
            diagnostics::opencv_codes(),
            diagnostics::basalt_codes(),
+           diagnostics::table_codes(),
            diagnostics::sensor_codes(),
            diagnostics::colmap_codes(),
            diagnostics::nerf_codes(),

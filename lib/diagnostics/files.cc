@@ -144,6 +144,7 @@ std::span<const CodeInfo> file_codes() {
       bad_request(Code::kFormatHasNoValue, "parameter-not-storable",
                   "{0}: {1} = {2} cannot be stored as {3} ({4}); it must lie in [{5}, {6}]",
                   "convert the camera to this format's ranges first"),
+      bad_request(Code::kFormatIsReadOnly, "format-read-only", "fca-io reads {0}, and does not write it"),
       bad_request(Code::kFormatNeedsCamera, "no-camera", "{0}: this format needs a camera, and the input has none"),
       error(Code::kFormatNeedsSize, "image-size-missing", "{0}: {1} and the input has no size", "state it"),
       error(Code::kNotWrittenBecause, "not-written", "{0} cannot be written: {1}"),

@@ -26,6 +26,7 @@ namespace fca::diagnostics {
 [[nodiscard]] std::span<const CodeInfo> woodscape_codes();
 [[nodiscard]] std::span<const CodeInfo> opencv_codes();
 [[nodiscard]] std::span<const CodeInfo> basalt_codes();
+[[nodiscard]] std::span<const CodeInfo> table_codes();
 [[nodiscard]] std::span<const CodeInfo> sensor_codes();
 [[nodiscard]] std::span<const CodeInfo> colmap_codes();
 [[nodiscard]] std::span<const CodeInfo> nerf_codes();

@@ -81,7 +81,7 @@ const Judged* judged(const std::string& file) {
 
 std::vector<fs::path> corpus_files() {
   std::vector<fs::path> files;
-  for (const Format& format : all_formats()) {
+  for (const Format& format : written_formats()) {
     const std::vector<fs::path> found = corpus_files_of(format.id);
     files.insert(files.end(), found.begin(), found.end());
   }

@@ -18,11 +18,11 @@ struct Good {
 /// The formats' own files in their order, then the corpus's. The order decides which files a defect is planted in.
 inline std::vector<Good> good_files() {
   std::vector<fs::path> paths;
-  for (const Format& format : all_formats()) {
+  for (const Format& format : written_formats()) {
     const fs::path good = testdata_dir() / format.id / "good";
     if (fs::exists(good)) std::ranges::copy(files_in(good), std::back_inserter(paths));
   }
-  for (const Format& format : all_formats()) {
+  for (const Format& format : written_formats()) {
     if (has_corpus()) std::ranges::copy(corpus_files_of(format.id), std::back_inserter(paths));
   }
   std::vector<Good> files;

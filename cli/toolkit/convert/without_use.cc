@@ -39,7 +39,7 @@ Message without_use(const ConvertRequest& request, const Format& to) {
   for (const Statement& statement : kStatements) {
     if (!statement.is_made(request) || statement.has_use(to)) continue;
     std::vector<std::string> users;
-    for (const Format& format : all_formats()) {
+    for (const Format& format : written_formats()) {
       if (statement.has_use(format)) users.emplace_back(format.id);
     }
     return {statement.useless, {users, to.id}};

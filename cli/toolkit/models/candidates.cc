@@ -18,7 +18,7 @@ namespace {
 /// Who stores these very numbers, and who demands others.
 std::vector<StoringFormat> stored_by(const CameraModel& model) {
   std::vector<StoringFormat> formats;
-  for (const Format& format : all_formats()) {
+  for (const Format& format : written_formats()) {
     const StoredModel* row = find_stored_model(format, model_info(model).id, false);
     if (row == nullptr) continue;
     const StoringFormat one{name_in(format, *row), within(model, row->ranges) ? Code::kNone : row->why};

@@ -151,8 +151,8 @@ LedgerRow row(const Format& from, const Format& to) {
 
 std::vector<LedgerRow> ledger() {
   std::vector<LedgerRow> rows;
-  for (const Format& from : all_formats()) {
-    for (const Format& to : all_formats()) {
+  for (const Format& from : written_formats()) {
+    for (const Format& to : written_formats()) {
       if (&from != &to) rows.push_back(row(from, to));
     }
   }

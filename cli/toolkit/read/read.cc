@@ -115,7 +115,7 @@ std::string name_in(const Format& format, const StoredModel& row) {
 
 std::vector<std::string> names_elsewhere(std::string_view model) {
   std::vector<std::string> names;
-  for (const Format& format : all_formats()) {
+  for (const Format& format : written_formats()) {
     for (const StoredModel& row : format.models) {
       const std::string name = name_in(format, row);
       if (row.model == model && std::ranges::find(names, name) == names.end()) names.push_back(name);

@@ -10,31 +10,18 @@ namespace fca::diagnostics {
 std::span<const CodeInfo> sensor_codes() {
   static constexpr std::array kRows = {
       // Read.
-      error(Code::kSensorWrongSyntax, "wrong-syntax", "a sensor's file holds keys and values"),
-      error(Code::kSensorNoObject, "not-a-mapping", "{0} is no mapping of keys and values"),
-      error(Code::kSensorUnknownLens, "unknown-model", "{0}: there is no camera_model '{1}' with distortion_model '{2}'",
-            "pinhole with radial-tangential, equidistant or none"),
-      error(Code::kSensorCoefficientCount, "wrong-length", "{0} has {1} numbers; {3} has {2:or}"),
-      error(Code::kSensorNoSize, "wrong-length", "{0} resolution is no list of width and height"),
-      error(Code::kSensorSideNotFour, "wrong-length", "{0} is {1}, and a pose is a matrix of 4 x 4"),
-      error(Code::kSensorNoIdentity, "poses-contradict",
-            "{0} is not the identity, and the poses of such files are those in this sensor",
-            "multiply the poses of all sensors by its inverse from the left, and write the identity here"),
       warning(Code::kEurocFisheye, "program-ignores",
               "{0}: camera_model {1} says that the coefficients are equidistant, whatever distortion_model ({2}) says",
               "write camera_model: pinhole and distortion_model: equidistant, which every other reader understands"),
-      reader_warning(Code::kKimeraMissingKeys, "missing-key", "the file has no {0:or}: Kimera-VIO stops"),
       error(Code::kKimeraOmni, "unknown-model", "{0}: fca-io does not read cameras of camera_model {1}",
             "convert the calibration that it was made from"),
       warning(Code::kKimeraRateNotWhole, "program-misreads", "{0} is {1}, and Kimera-VIO reads it as the int {2}",
               "write a whole number"),
 
       // Written: what stands against it.
-      clause(Code::kSensorDemandsSize, "the file of a camera states its resolution"),
       clause(Code::kEurocNoK3, "radial-tangential has no k3 in a sensor.yaml"),
 
       // Written: losses and their reasons.
-      loss(Code::kSensorFurtherImu, "imu-dropped", "{0} noise and rate", "one IMU is written", "keep its file"),
       clause(Code::kEurocImuDemands, "the sensor.yaml of an IMU demands {0}, too"),
       loss(Code::kKimeraFrameRateRounded, "frame-rate-rounded", "{0} {2} Hz",
            "Kimera-VIO reads rate_hz as an int: {3} is written", "nothing: it only paces the images"),
@@ -42,8 +29,6 @@ std::span<const CodeInfo> sensor_codes() {
       clause(Code::kKimeraNoImuFile, "imu_time_shift stands in ImuParams.yaml, which is not written"),
 
       // Written: values that the input does not state.
-      clause(Code::kSensorIdentity, "identity: its pose in the IMU is not in the input"),
-      clause(Code::kSensorPoseInFrame, "the pose in {0}: its pose in the IMU is not in the input"),
       clause(Code::kKimeraInitialValue, "{0} (of Kimera-VIO's params/Euroc: it stops without one)"),
       clause(Code::kKimeraStockTuning, "as in Kimera-VIO's params/Euroc"),
 

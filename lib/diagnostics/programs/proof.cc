@@ -19,6 +19,17 @@ std::span<const CodeInfo> proof_codes() {
       // {0} the owner, which may be empty; then the program's number, and the rig's.
       misreading(Code::kProgramOtherNumber, "{0:_}{1} is {2:.9}, not {3:.9}"),
 
+      // {0} the key; the last argument is the program, if its words are not a list.
+      named_refusal(Code::kProgramSaysMissing, "{0} is missing; {1} stops", kAddTheKey),
+      named_refusal(Code::kProgramSaysNoText, "{0} is empty or no text; {1} stops"),
+      named_refusal(Code::kProgramSaysNoNumber, "{0} is {1}, not a number; {2} stops"),
+      named_refusal(Code::kProgramSaysNumberCount, "{0} is no list of {1} numbers; {2} stops"),
+      named_refusal(Code::kProgramSaysUnknownWord, "{0} is {1}; {2} knows {3:and} only, and stops"),
+      named_misreading(Code::kProgramSaysUnread, "{1} does not read {0}"),
+      // Of the file. {0}: what parses it, {1}: its words.
+      refusal(Code::kProgramSaysNotParsed, "{0} does not read it: {1}"),
+      refusal(Code::kProgramSaysNoKeys, "the file holds no keys"),
+
       // ORB-SLAM3's KannalaBrandt8::unproject and cv::fisheye::undistortPoints: the distorted angle is cut off at pi / 2, and a
       // ray is K (x / z, y / z).
       clause(Code::kRaysUpToNinety, "from pixel to ray it goes no further than 90 deg, of the ray and of the distorted angle"),

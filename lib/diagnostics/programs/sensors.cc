@@ -9,9 +9,6 @@ namespace fca::diagnostics {
 
 std::span<const CodeInfo> sensor_program_codes() {
   static constexpr std::array kRows = {
-      named_refusal(Code::kKimeraSaysMissing, "{0} is missing; Kimera-VIO stops", kAddTheKey),
-      named_refusal(Code::kKimeraSaysNoText, "{0} is empty or no text; Kimera-VIO stops"),
-      named_refusal(Code::kKimeraSaysNumberCount, "{0} is no list of {1} numbers; Kimera-VIO stops"),
       named_refusal(Code::kKimeraSaysFewCoefficients, "{0} has {1} numbers; Kimera-VIO wants four or more and stops",
                     "of a camera without distortion they are zeros"),
       named_refusal(Code::kKimeraSaysFourCoefficients,
@@ -27,12 +24,7 @@ std::span<const CodeInfo> sensor_program_codes() {
                        "{0}: Kimera-VIO undistorts with all {1} coefficients, and projects with the first four"),
       named_refusal(Code::kKimeraSaysNoIdentity, "{0} is not the identity: the body is the IMU, else Kimera-VIO stops"),
 
-      refusal(Code::kCuvslamSaysNotParsed, "PyYAML does not read it: {0}"),
-      refusal(Code::kCuvslamSaysNoMap, "the file holds no keys"),
-      named_refusal(Code::kCuvslamSaysMissing, "{0} is missing; cuVSLAM's EuRoC example stops", kAddTheKey),
       named_refusal(Code::kCuvslamSaysNoPose, "no key begins with T_; cuVSLAM's EuRoC example stops", kAddTheKey),
-      named_refusal(Code::kCuvslamSaysNumberCount, "{0} is no list of {1} numbers; cuVSLAM's EuRoC example stops"),
-      named_refusal(Code::kCuvslamSaysNoNumber, "{0} is {1}, not a number; cuVSLAM's EuRoC example stops"),
       named_misreading(Code::kCuvslamSaysTakenForBrown,
                        "{0} is {1}: cuVSLAM's EuRoC example reads it so in a sensor_recalibrated.yaml, and takes the "
                        "coefficients of a sensor.yaml for k1 k2 p1 p2",

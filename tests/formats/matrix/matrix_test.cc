@@ -268,7 +268,7 @@ using Table = std::map<std::pair<std::string, std::string>, Cell>;
 
 void print(const Table& table) {
   std::vector<std::string> ids;
-  for (const Format& format : all_formats()) ids.emplace_back(format.id);
+  for (const Format& format : written_formats()) ids.emplace_back(format.id);
   std::cout << "worst difference / largest reported maximum [px], least compared share of what is scored, cameras + poses\n";
   for (const std::string& from : ids) {
     for (const std::string& to : ids) {
@@ -368,7 +368,7 @@ class Matrix {
     SCOPED_TRACE(source.name());
     const SourceView view = view_of(source);
     EXPECT_FALSE(view.cameras.empty()) << "a source without a camera compares nothing";
-    for (const Format& to : all_formats()) {
+    for (const Format& to : written_formats()) {
       const FormatReader* target = find_reader(std::string(to.id));
       if (target == nullptr) continue;  // a failure of its own
       SCOPED_TRACE(source.format + " -> " + target->id);
@@ -453,7 +453,7 @@ class Matrix {
 };
 
 TEST(Matrix, EveryFormatHasAnIndependentReader) {
-  for (const Format& format : all_formats()) {
+  for (const Format& format : written_formats()) {
     EXPECT_NE(find_reader(std::string(format.id)), nullptr)
         << "write tests/formats/matrix/pixels_" << format.id << ".cc: what the format's own program reads and computes";
   }
@@ -469,7 +469,7 @@ TEST_P(MatrixFrom, EveryTargetReproducesTheSourcesPixels) {
   const std::vector<Source> sources = sources_of(id);
   EXPECT_FALSE(sources.empty()) << "no file to begin from: " << id;
   for (const Source& source : sources) matrix.run(source);
-  for (const Format& to : all_formats()) {
+  for (const Format& to : written_formats()) {
     const auto cell = matrix.table().find({id, std::string(to.id)});
     EXPECT_TRUE(cell != matrix.table().end() && cell->second.cameras > 0) << id << " -> " << to.id << ": nothing was compared";
   }
@@ -478,7 +478,7 @@ TEST_P(MatrixFrom, EveryTargetReproducesTheSourcesPixels) {
 
 std::vector<const Format*> formats() {
   std::vector<const Format*> result;
-  for (const Format& format : all_formats()) result.push_back(&format);
+  for (const Format& format : written_formats()) result.push_back(&format);
   return result;
 }
 
@@ -495,7 +495,7 @@ TEST(Matrix, EveryStoredModel) {
   Matrix matrix;
   for (const Source& source : {own("kalibr", "tumvi.yaml"), own("kalibr", "block-style.yaml")}) {
     const SourceView view = view_of(source);
-    for (const Format& to : all_formats()) {
+    for (const Format& to : written_formats()) {
       const FormatReader* target = find_reader(std::string(to.id));
       if (target == nullptr) continue;
       for (const StoredModel& stored : to.models) {
@@ -513,7 +513,7 @@ TEST(Matrix, EveryLayout) {
   Matrix matrix;
   const std::vector<Source> sources = {own("kalibr", "tumvi.yaml"), own("kalibr", "block-style.yaml"),
                                        own("kalibr", "omni.yaml"), own("kalibr", "eucm.yaml")};
-  for (const Format& to : all_formats()) {
+  for (const Format& to : written_formats()) {
     const FormatReader* target = find_reader(std::string(to.id));
     if (target == nullptr) continue;
     for (const std::string_view layout : to.layouts) {
@@ -571,7 +571,7 @@ Source surround_view(const TemporaryFolder& folder) {
 /// Every camera of the rig was compared in every format; but ORB-SLAM3 uses one of them: those around a car look into all
 /// directions, and no two are a stereo pair.
 void expect_all_cameras(const Matrix& matrix, const Source& source) {
-  EXPECT_EQ(matrix.table().size(), all_formats().size());
+  EXPECT_EQ(matrix.table().size(), written_formats().size());
   for (const auto& [pair, cell] : matrix.table()) {
     const std::size_t most = find_format(pair.second)->most_cameras == SIZE_MAX ? SIZE_MAX : 1;
     EXPECT_EQ(static_cast<std::size_t>(cell.cameras), std::min(source.paths.size(), most)) << pair.second;
@@ -632,7 +632,7 @@ std::vector<NumberInText> numbers_in(const std::string& text) {
 TEST(Matrix, NoticesAMovedCentre) {
   const Source source = own("kalibr", "tumvi.yaml");
   const std::vector<Sample> samples = view_of(source).cameras.front();
-  for (const Format& format : all_formats()) {
+  for (const Format& format : written_formats()) {
     const FormatReader* reader = find_reader(std::string(format.id));
     if (reader == nullptr) continue;  // told above
     SCOPED_TRACE(reader->id);

@@ -157,10 +157,20 @@ struct ValueRange {
 /// What a value is to a program that reads it.
 enum class ValueType { kInteger, kReal, kText };
 
+/// Under which heading a format is listed.
+enum class FormatGroup {
+  kCalibration,     ///< Written by programs that calibrate, and libraries that compute with cameras.
+  kSlam,            ///< Settings of odometry and SLAM.
+  kReconstruction,  ///< Structure from motion, radiance fields.
+  kDatasets,
+  kDevices,  ///< Memories of devices, written in a factory.
+};
+
 /// A row of the registry.
 struct Format {
   std::string_view id;
   std::string_view title;
+  FormatGroup group = FormatGroup::kSlam;
   std::string_view syntaxes;                     ///< For people: "YAML".
   std::string_view extension;                    ///< Of its files, with the point: ".yaml".
   std::string_view program;                      ///< The stock program that reads it: "Kalibr".
@@ -246,16 +256,19 @@ struct Format {
 
   /// Edits `base` (a document this format read) so that it says what `rig` says; only fields in which the two differ are
   /// touched; cameras are recognised by their names. With no base a fresh file is composed. Every model of `rig` must be one of
-  /// `models`. Losses are listed but for those of poses and comments: write_calibration() finds them.
+  /// `models`. Losses are listed but for those of poses and comments: write_calibration() finds them. Null: no program reads
+  /// such a file from others (a device's own memory), and the format is read only.
   std::optional<Written> (*write)(const text::Document* base, const Rig& rig, const WriteOptions& options,
-                                  Diagnostics& diagnostics);
+                                  Diagnostics& diagnostics) = nullptr;
 
+  [[nodiscard]] constexpr bool is_written() const { return write != nullptr; }
   /// May a unit of translations be told?
   [[nodiscard]] constexpr bool leaves_unit_open() const { return any_length_unit || metres_by_custom; }
 };
 
-/// All formats, in the order in which they are listed and asked.
+/// All formats, in the order in which they are listed and asked: those that are written, then those that are only read.
 [[nodiscard]] std::span<const Format> all_formats();
+[[nodiscard]] std::span<const Format> written_formats();
 /// The format of that id or alias ("orb-slam3", "ORB_SLAM3"), in any case; null if there is none.
 [[nodiscard]] const Format* find_format(std::string_view name);
 
