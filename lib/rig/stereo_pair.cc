@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fca/rig/rotation.h>
 #include <fca/rig/stereo_pair.h>
 
 #include <algorithm>
@@ -10,15 +11,6 @@ namespace fca {
 namespace {
 
 constexpr double kLeastInCommon = 0.25;
-
-Ray rotated(const Transform& T, const Ray& ray) {
-  Ray result{};
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column)
-      result[static_cast<std::size_t>(row)] += T(row, column) * ray[static_cast<std::size_t>(column)];
-  }
-  return result;
-}
 
 /// The share of `from`'s image whose rays land in the image of `to`.
 double seen_share(const Camera& from, const Camera& to, const Transform& T_to_from) {
