@@ -8,6 +8,7 @@ namespace fca::cli {
 
 void add_formats_options(Options& options, ListArguments& arguments) {
   add_json_option(options, arguments.json);
+  add_verbose_option(options, "Also the models of each format, and who reads them", arguments.verbose);
   options.flag("--markdown", "The table of the README", arguments.markdown);
   options.flag("--ledger", "For every pair of formats: what is exact, fitted, dropped and defaulted", arguments.ledger);
   options.footer("Example:\n  fca-io formats\n  fca-io formats --ledger\n");

@@ -13,6 +13,7 @@ struct ListArguments {
   bool json = false;
   bool markdown = false;
   bool ledger = false;
+  bool verbose = false;
 };
 
 void add_formats_options(Options& options, ListArguments& arguments);

@@ -16,6 +16,7 @@
 #include <fca/toolkit/read.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace fca::cli {
@@ -47,7 +48,7 @@ std::size_t width_of(std::span<const std::string> cells, std::size_t least) {
 }
 
 /// A format and, in columns, its models.
-std::string format_text(const Format& format) {
+std::string format_details(const Format& format) {
   std::vector<std::string> models;
   std::vector<std::string> names;
   for (const StoredModel& row : format.models) {
@@ -58,14 +59,56 @@ std::string format_text(const Format& format) {
   constexpr std::size_t kName = 31;
   const std::size_t model_width = width_of(models, kModel);
   const std::size_t name_width = width_of(names, kName);
-  std::string text = padded(format.id, kModel + kGap) + std::string(format.title) + " (" + std::string(format.syntaxes) + ")\n";
+  std::string text;
   for (std::size_t i = 0; i < models.size(); ++i) {
     const StoredModel& row = format.models[i];
-    const std::string head = "  " + padded(models[i], model_width) + padded(names[i], name_width);
+    const std::string head = "    " + padded(models[i], model_width) + padded(names[i], name_width);
     const std::string readers = "read by " + std::string(row.read_by) + (row.stock ? "" : "; only with --model");
     text += head + in_columns(readers, head.size(), head.size()) + "\n";
   }
   return text;
+}
+
+std::string format_line(const Format& format) {
+  constexpr std::size_t kId = 12;
+  const std::string head = "  " + padded(format.id, kId);
+  const std::string what =
+      std::string(format.title) + " (" + std::string(format.syntaxes) + ")" + (format.is_written() ? "" : ", read only");
+  return head + in_columns(what, head.size(), head.size()) + "\n";
+}
+
+struct GroupTitle {
+  FormatGroup group;
+  std::string_view title;
+};
+constexpr std::array kGroups = {
+    GroupTitle{FormatGroup::kCalibration, "Calibration"}, GroupTitle{FormatGroup::kSlam, "Odometry and SLAM"},
+    GroupTitle{FormatGroup::kReconstruction, "Reconstruction"}, GroupTitle{FormatGroup::kDatasets, "Datasets"},
+    GroupTitle{FormatGroup::kDevices, "Devices, from the factory"}};
+
+std::string formats_text(bool with_models) {
+  std::string text;
+  for (const GroupTitle& group : kGroups) {
+    text += (text.empty() ? "" : "\n") + std::string(group.title) + "\n";
+    for (const Format& format : all_formats()) {
+      if (format.group == group.group) text += format_line(format) + (with_models ? format_details(format) : "");
+    }
+  }
+  return text;
+}
+
+/// README's table of what is written, and what is read only.
+std::string formats_markdown() {
+  std::string text = "| format | what | syntax | cameras | models | models only forks read |\n|---|---|---|---|---|---|\n";
+  for (const Format& format : written_formats()) {
+    text += "| `" + std::string(format.id) + "` | " + std::string(format.title) + " | " + std::string(format.syntaxes) + " | " +
+            (format.many_cameras ? "1..n" : "1") + " | " + enumerated(model_names(format, true), "and") + " | " +
+            enumerated(model_names(format, false), "and") + " |\n";
+  }
+  std::vector<std::string> read_only;
+  for (const Format& format : all_formats().subspan(written_formats().size()))
+    read_only.push_back("`" + std::string(format.id) + "` (" + std::string(format.title) + ")");
+  return read_only.empty() ? text : text + "\nRead only: " + enumerated(read_only, "and") + ".\n";
 }
 
 ExitCode list_formats(const ListArguments& arguments, Console& console) {
@@ -80,6 +123,7 @@ ExitCode list_formats(const ListArguments& arguments, Console& console) {
           json.put("title", format.title);
           json.put("syntax", format.syntaxes);
           json.put("program", format.program);
+          json.put("read_only", !format.is_written());
           json.put("many_cameras", format.many_cameras);
           json.put("extrinsics", format.extrinsics);
           json.put("imu", format.imu);
@@ -98,16 +142,7 @@ ExitCode list_formats(const ListArguments& arguments, Console& console) {
     console.out(json.document());
     return ExitCode::kGood;
   }
-  if (arguments.markdown) {
-    console.out("| format | what | syntax | cameras | models | models only forks read |\n|---|---|---|---|---|---|\n");
-    for (const Format& format : all_formats()) {
-      console.out("| `" + std::string(format.id) + "` | " + std::string(format.title) + " | " + std::string(format.syntaxes) +
-                  " | " + (format.many_cameras ? "1..n" : "1") + " | " + enumerated(model_names(format, true), "and") + " | " +
-                  enumerated(model_names(format, false), "and") + " |\n");
-    }
-    return ExitCode::kGood;
-  }
-  for (const Format& format : all_formats()) console.out(format_text(format));
+  console.out(arguments.markdown ? formats_markdown() : formats_text(arguments.verbose));
   return ExitCode::kGood;
 }
 
@@ -176,7 +211,7 @@ std::string candidates_json(const std::string& file, const std::vector<ModelsRes
     json.array("cameras", cameras, [&](const ModelsResult::OfCamera& of_camera) {
       json.object([&] {
         json.put("name", of_camera.camera.name);
-        json.put("model", model_info(of_camera.camera.model).id);
+        json.put("model", of_camera.camera.lens_id());
         const Candidate* best = recommended(of_camera.candidates, nullptr);
         best != nullptr ? json.put("recommended", best->model->id) : json.null("recommended");
         json.array("targets", of_camera.candidates,
@@ -223,7 +258,7 @@ std::string row_text(const Candidate& candidate, bool is_wide) {
 std::string candidates_text(const Camera& camera, const std::vector<Candidate>& candidates) {
   const bool is_wide = std::ranges::any_of(candidates, [](const Candidate& each) { return each.distance.is_wide; });
   std::string text =
-      wrapped_line(camera.name + " (" + std::string(model_info(camera.model).id) + "): " + recommendation(candidates, nullptr));
+      wrapped_line(camera.name + " (" + std::string(camera.lens_id()) + "): " + recommendation(candidates, nullptr));
   if (is_wide) text += "  " + padded("", kModelWidth) + padded("inscribed circle", 2 * kNumberWidth) + "whole image\n";
   text += "  " + padded("model", kModelWidth) +
           (is_wide ? numbers({"rms px", "99 % px", "rms px", "max px"}) : numbers({"rms px", "99 % px", "max px"})) +
