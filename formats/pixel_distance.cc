@@ -111,26 +111,20 @@ class Comparison {
         camera_(camera),
         written_(written),
         reader_(reader),
-        is_kept_(camera.model == written),
+        is_kept_(camera.rays.empty() && camera.model == written),
         last_cosine_(cosine_of(limits.asked)),
         last_fitted_cosine_(cosine_of(limits.fitted)) {}
 
   CameraDistance run() {
     CameraDistance result;
     if (!camera_.image_size) return result;
-    const Pixel last = last_pixel(*camera_.image_size);
-    const Circle circle = circle_in(*camera_.image_size);
-    const int steps = lattice_.steps;
-    for (int i = 0; i <= steps; ++i) {
-      for (int j = 0; j <= steps; ++j) {
-        const Pixel pixel = {last[0] * i / steps, last[1] * j / steps};
-        const bool in_circle = distance(pixel, circle.centre) <= circle.radius;
-        const bool ask_for_ray = i % lattice_.to_next_ray == 0 && j % lattice_.to_next_ray == 0;
-        grid_.push_back(compare_at(pixel, share_of(i, j, steps), in_circle, ask_for_ray));
-      }
+    if (camera_.rays.empty()) {
+      compare_lattice(*camera_.image_size);
+    } else {
+      compare_table(*camera_.image_size);
     }
     constexpr double kWide = std::numbers::pi / 3.0;  // 60 deg from the axis
-    result.grid_steps = steps;
+    result.grid_steps = grid_.empty() ? 0 : lattice_.steps;
     result.grid = std::move(grid_);
     result.is_wide = smallest_cosine_ < std::cos(kWide);
     result.in_circle = std::move(in_circle_).summary(lattice_);
@@ -139,10 +133,36 @@ class Comparison {
   }
 
  private:
+  void compare_lattice(const ImageSize& size) {
+    const Pixel last = last_pixel(size);
+    const Circle circle = circle_in(size);
+    const int steps = lattice_.steps;
+    for (int i = 0; i <= steps; ++i) {
+      for (int j = 0; j <= steps; ++j) {
+        const Pixel pixel = {last[0] * i / steps, last[1] * j / steps};
+        const bool in_circle = distance(pixel, circle.centre) <= circle.radius;
+        const bool ask_for_ray = i % lattice_.to_next_ray == 0 && j % lattice_.to_next_ray == 0;
+        grid_.push_back(compare_at(pixel, unproject(camera_.model, pixel), share_of(i, j, steps), in_circle, ask_for_ray));
+      }
+    }
+  }
+
+  /// Of a camera that is known by rays alone: those.
+  void compare_table(const ImageSize& size) {
+    const Circle circle = circle_in(size);
+    for (std::size_t i = 0; i < camera_.rays.size(); ++i) {
+      const Correspondence& entry = camera_.rays[i];
+      const Share share = {entry.weight * lattice_.steps * lattice_.steps, entry.weight};
+      const bool in_circle = distance(entry.pixel, circle.centre) <= circle.radius;
+      const bool ask_for_ray = i % static_cast<std::size_t>(lattice_.to_next_ray * lattice_.to_next_ray) == 0;
+      (void)compare_at(entry.pixel, entry.ray, share, in_circle, ask_for_ray);
+    }
+  }
+
   /// Nothing where the camera has no ray that counts.
-  std::optional<SeenPixel> compare_at(const Pixel& pixel, const Share& share, bool in_circle, bool ask_for_ray) {
+  std::optional<SeenPixel> compare_at(const Pixel& pixel, const std::optional<Ray>& ray, const Share& share, bool in_circle,
+                                      bool ask_for_ray) {
     if (camera_.lens_circle && !camera_.lens_circle->contains(pixel)) return std::nullopt;
-    const std::optional<Ray> ray = unproject(camera_.model, pixel);
     if (!ray || (*ray)[2] < last_cosine_) return std::nullopt;
     smallest_cosine_ = std::min(smallest_cosine_, (*ray)[2]);
     const SeenPixel seen = {pixel, pixel_at(pixel, *ray)};
@@ -200,6 +220,12 @@ std::optional<double> degrees_in_circle(const Camera& camera) {
   const Circle circle = circle_in(*camera.image_size);
   constexpr int kPoints = 32;
   double smallest_cosine = 1.0;
+  if (!camera.rays.empty()) {
+    for (const Correspondence& entry : camera.rays) {
+      if (distance(entry.pixel, circle.centre) <= circle.radius) smallest_cosine = std::min(smallest_cosine, entry.ray[2]);
+    }
+    return std::ceil(std::acos(smallest_cosine) * 180.0 / std::numbers::pi);
+  }
   for (int i = 0; i < kPoints; ++i) {
     const double turn = 2.0 * std::numbers::pi * i / kPoints;
     const std::optional<Ray> ray = unproject(

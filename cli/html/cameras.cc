@@ -90,8 +90,7 @@ void put_reach(Html& html, const std::vector<ReachRow>& rows) {
 
 void put_camera(Html& html, const ShownCamera& camera, std::optional<double> limit_rad) {
   const std::string name = camera.outcome != nullptr ? name_in_words(*camera.outcome) : camera.source.name;
-  const std::string line =
-      camera.outcome != nullptr ? camera_line(*camera.outcome) : std::string(model_info(camera.source.model).title);
+  const std::string line = camera.outcome != nullptr ? camera_line(*camera.outcome) : std::string(camera.source.lens_title());
   html.element("h3", {}, name + ": " + line);
   if (!validate(camera.source.model).empty()) {
     html.element("p", {{"class", "error"}},
@@ -100,7 +99,7 @@ void put_camera(Html& html, const ShownCamera& camera, std::optional<double> lim
   }
   put_judgement(html, camera);
   put_parameters(html, camera);
-  DrawnCamera drawn{camera.source, std::string(model_info(camera.source.model).id)};
+  DrawnCamera drawn{camera.source, std::string(camera.source.lens_id())};
   drawn.limit_rad = limit_rad;
   if (const ConversionReport* report = camera.report()) {
     drawn.judgement = &report->judgement;
@@ -135,7 +134,7 @@ void put_camera_table(Html& html, const ReportContents& contents) {
               "cards"};
   for (const Camera& camera : rig.cameras) {
     const FieldsOfView view = fields_of_view(camera, contents.shown.limit_deg / kDegreesPerRadian);
-    table.rows.push_back({camera.name, std::string(model_info(camera.model).title),
+    table.rows.push_back({camera.name, std::string(camera.lens_title()),
                           camera.image_size ? size_in_words(*camera.image_size) : "not stated",
                           degrees_of(camera, view.horizontal), degrees_of(camera, view.vertical),
                           degrees_of(camera, view.diagonal), degrees_of(camera, view.largest_from_axis),

@@ -21,7 +21,7 @@ namespace {
 
 std::string short_model_line(const Camera& camera) {
   const std::string size = camera.image_size ? ", " + size_in_words(*camera.image_size) + " px" : ", image size not stated";
-  return camera.name + ": " + std::string(model_info(camera.model).id) + size;
+  return camera.name + ": " + std::string(camera.lens_id()) + size;
 }
 
 void put_rig_tile(Html& html, const Rig& rig) {

@@ -120,7 +120,7 @@ std::optional<std::string> take_target(const std::string& word, ConvertRequest& 
   if (!found) return unknown_target("--to", word);
   if (!found->format->is_written()) {
     const std::vector<std::string> written = target_ids();
-    return "fca-io reads files of " + std::string(found->format->program) + " and does not write them; --to takes " +
+    return "fca-io reads " + std::string(found->format->title) + " and does not write it; --to takes " +
            text::enumerated(written, "or");
   }
   request.to = found->format;

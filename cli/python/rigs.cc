@@ -32,7 +32,7 @@ ReadRig read_rig(const py::object& path, const std::vector<py::object>& parts, c
   if (opencv_model) result.inputs.opencv_model = opencv_model_named(*opencv_model);
   Files files;
   Diagnostics diagnostics;
-  std::optional<Calibration> calibration = read_calibration(result.inputs, files, diagnostics);
+  std::optional<Calibration> calibration = read_models(result.inputs, files, diagnostics);
   if (!calibration) raise(diagnostics, files.sources());
   result.rig = std::move(calibration->rig);
   result.format = calibration->format->id;

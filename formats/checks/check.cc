@@ -211,6 +211,8 @@ void sort_by_place(std::vector<Finding>& findings) {
 /// `to`: null for all topics, else only those about what that format holds.
 void run_topics(const text::Document& document, const Calibration& calibration, const CheckOptions& options, const Format* to,
                 CheckReport& report) {
+  // Topics ask models.
+  if (std::ranges::any_of(calibration.rig.cameras, [](const Camera& camera) { return !camera.rays.empty(); })) return;
   const Subject subject{document, calibration, options, Places(document, calibration)};
   Findings findings(report);
   for (const Topic& topic : kTopics) {

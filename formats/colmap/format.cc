@@ -11,6 +11,7 @@
 #include "../one_camera_files.h"
 #include "../schema/schema.h"
 #include "../text/binary.h"
+#include "../text/npy.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
@@ -56,6 +57,7 @@ bool is_header(const Node& line) { return has_words(line, {kId, "MODEL", "WIDTH"
 ProbeResult probe(const text::Document& document) {
   if (document.syntax() == text::Syntax::kJson) return probe_rig_config(document);
   if (is_rigs(document)) return probe_rigs(document);
+  if (document.root().tag == text::kNpyTag) return {};
   if (document.syntax() == text::Syntax::kBinary) return {95, Message{Code::kColmapBinary}};
   if (document.syntax() != text::Syntax::kWords) return {};
   const std::vector<const Node*> lines = camera_lines(document);

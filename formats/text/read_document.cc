@@ -5,6 +5,7 @@
 
 #include "binary.h"
 #include "json.h"
+#include "npy.h"
 #include "syntax.h"
 #include "words.h"
 #include "xml.h"
@@ -62,7 +63,7 @@ std::optional<Node> parse(const Source& source, Syntax& syntax, Diagnostics& dia
     case Syntax::kWords:
       return parse_words(source, diagnostics);
     case Syntax::kBinary:
-      return parse_binary(source, diagnostics);
+      return begins_as_npy(source.bytes) ? parse_npy(source, diagnostics) : parse_binary(source, diagnostics);
   }
   return std::nullopt;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/text/source.h>
 
+#include "npy.h"
+
 #include <algorithm>
 #include <array>
 
@@ -19,6 +21,7 @@ Position Source::position(std::size_t offset) const {
 }
 
 bool Source::is_binary() const {
+  if (begins_as_npy(bytes)) return true;
   constexpr std::size_t kOfCount = 8;
   constexpr std::size_t kSmallest = 8;  // a rig without sensors
   if (name.ends_with(".bin") && (bytes.size() < kOfCount || bytes.find('\0') != std::string::npos)) return true;

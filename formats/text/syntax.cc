@@ -117,7 +117,7 @@ Syntax choose_syntax(const Source& source) {
   if (!lines.empty() && can_begin_yaml(lines.front())) return Syntax::kYaml;
   if (named_as_yaml(source)) return Syntax::kYaml;
   const std::string extension = extension_of(source);
-  if (extension == ".txt") return Syntax::kWords;
+  if (extension == ".txt" || extension == ".csv") return Syntax::kWords;
   if (extension == ".xml" && !lines.empty()) return Syntax::kXml;
   if (extension == ".json" && !lines.empty()) return Syntax::kJson;
   return lines.size() > 1 && is_line_of_numbers(lines[1]) ? Syntax::kWords : Syntax::kYaml;

@@ -14,7 +14,8 @@ namespace fca::text {
 /// words
 ///    (`5 -1.2 0.0`, `RadTan 0.5 0.5 ..`): no YAML mapping or list begins so. So is an .ini: a section (`[image]`) before a
 ///    line of text. What a mapping or list can begin with (`key:`, `- x`) is YAML.
-/// 5. What can be none of these is what its extension says (.txt: words), so that a damaged file is told what is wrong with it
+/// 5. What can be none of these is what its extension says (.txt, .csv: words), so that a damaged file is told what is wrong
+/// with it
 ///    as a file of its kind. A first line of text before a line of numbers is words by any name but a YAML file's.
 /// 6. The rest is YAML, whose parser says what is wrong.
 [[nodiscard]] Syntax choose_syntax(const Source& source);

@@ -8,6 +8,7 @@
 #include <fca/formats/text/limits.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <functional>
 
@@ -61,6 +62,9 @@ bool append_entity(std::string& text, std::string_view name) {
   return true;
 }
 
+/// Of Metashape's files.
+constexpr std::array<std::string_view, 2> kOtherRoots = {"calibration", "document"};
+
 class TreeBuilder {
  public:
   explicit TreeBuilder(const Source& source) : source_(source), bytes_(source.bytes) {}
@@ -70,11 +74,15 @@ class TreeBuilder {
     base_ = first - kPrefixValue;
     const tinyxml2::XMLElement* root = document.RootElement();
     const Span name = name_span(*root);
-    if (source_.text(name) != "opencv_storage") {
+    const std::string_view called = source_.text(name);
+    keeps_attributes_ = std::ranges::find(kOtherRoots, called) != kOtherRoots.end();
+    if (called != "opencv_storage" && !keeps_attributes_) {
       constexpr std::size_t kLongest = 40;
-      throw Refusal{{Code::kXmlRoot, {source_.text(name).substr(0, kLongest)}}, name.offset};
+      throw Refusal{{Code::kXmlRoot, {called.substr(0, kLongest)}}, name.offset};
     }
-    return value_of(*root, name);
+    Node node = value_of(*root, name);
+    if (keeps_attributes_) node.tag = called;
+    return node;
   }
 
  private:
@@ -116,11 +124,24 @@ class TreeBuilder {
     return text;
   }
 
+  /// Adds a text as it stands, without the blanks around it.
+  void add_text(const Span& whole, std::vector<Node>& items) const {
+    const std::string_view text = source_.text(whole);
+    const std::size_t first = text.find_first_not_of(kBlanks);
+    if (first == std::string_view::npos) return;
+    Node node;
+    node.kind = NodeKind::kScalar;
+    node.span = {whole.offset + first, text.find_last_not_of(kBlanks) + 1 - first};
+    node.value = resolved(node.span);
+    items.push_back(std::move(node));
+  }
+
   /// Adds the texts between `text`'s first and last byte to a sequence.
   void add_words(const tinyxml2::XMLText& text, std::vector<Node>& items) const {
     const std::size_t start = offset_of(text.Value());
     const Span whole = {start, std::min(bytes_.find('<', start), bytes_.size()) - start};
     if (resolved(whole) != text.Value()) refuse_place(start);
+    if (keeps_attributes_) return add_text(whole, items);
     const std::string_view bytes = bytes_.substr(0, whole.end());
     std::size_t at = bytes.find_first_not_of(kBlanks, start);
     while (at < whole.end()) {
@@ -146,6 +167,21 @@ class TreeBuilder {
     }
   }
 
+  /// Those of an element, as entries before its own.
+  void add_attributes(const tinyxml2::XMLElement& element, std::vector<Entry>& entries) const {
+    for (const tinyxml2::XMLAttribute* each = element.FirstAttribute(); each != nullptr; each = each->Next()) {
+      Entry entry;
+      entry.key.kind = NodeKind::kScalar;
+      entry.key.value = attribute(each->Name());
+      entry.key.span = {offset_of(each->Name()), std::string_view(each->Name()).size()};
+      entry.value.kind = NodeKind::kScalar;
+      entry.value.value = each->Value();
+      entry.value.quoted = true;
+      entry.value.span = {offset_of(each->Value()), std::string_view(each->Value()).size()};
+      entries.push_back(std::move(entry));
+    }
+  }
+
   // Recursive, but no deeper than kMaxDepth: check_markup has seen the document.
   // NOLINTNEXTLINE(misc-no-recursion)
   [[nodiscard]] Node value_of(const tinyxml2::XMLElement& element, const Span& name) const {
@@ -153,6 +189,8 @@ class TreeBuilder {
     bool has_item_elements = false;
     std::size_t first = std::string_view::npos;
     std::size_t last = 0;
+    if (keeps_attributes_) add_attributes(element, node.entries);
+    const std::size_t attributes = node.entries.size();
     for (const tinyxml2::XMLNode* child = element.FirstChild(); child != nullptr; child = child->NextSibling()) {
       if (const tinyxml2::XMLText* text = child->ToText()) {
         const std::size_t before = node.items.size();
@@ -181,6 +219,8 @@ class TreeBuilder {
         refuse_place(name.offset);
       }
     }
+    // The attributes of a text are not kept.
+    if (!node.items.empty() && node.entries.size() == attributes) node.entries.clear();
     if (!node.entries.empty() && !node.items.empty()) throw Refusal{{Code::kXmlMixed, {source_.text(name)}}, name.offset};
     if (node.items.size() == 1 && !has_item_elements) {
       node = Node(std::move(node.items.front()));
@@ -189,7 +229,9 @@ class TreeBuilder {
     } else if (!node.entries.empty()) {
       node.kind = NodeKind::kMapping;
     }
-    if (!node.is_scalar()) {
+    if (!node.is_scalar() && first == std::string_view::npos && !node.entries.empty()) {
+      node.span = name;
+    } else if (!node.is_scalar()) {
       const std::size_t content = next_markup(bytes_, name.offset - 1).value_or(Markup{}).span.end();
       node.span = node.kind == NodeKind::kNull ? Span{content, 0} : Span{first, last - first};
     }
@@ -200,6 +242,7 @@ class TreeBuilder {
   const Source& source_;
   std::string_view bytes_;
   const char* base_ = nullptr;
+  bool keeps_attributes_ = false;
 };
 
 /// Of tinyxml2 only the line is known.

@@ -6,6 +6,7 @@
 #include "fitting/degree.h"
 #include "fitting/fit_domain.h"
 #include "fitting/minimax.h"
+#include "table_conversion.h"
 
 #include <fca/code.h>
 #include <fca/convert/domain.h>
@@ -228,6 +229,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
     return std::nullopt;
   }
   if (!usable(options, *target, diagnostics)) return std::nullopt;
+  if (!camera.rays.empty()) return internal::convert_table(camera, *target, options, diagnostics);
   const std::optional<Domain> domain = domain_of(camera, options.max_angle_rad, diagnostics);
   if (!domain) return std::nullopt;
   warn_of_odd_camera(camera, domain->size, diagnostics);

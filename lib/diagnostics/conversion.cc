@@ -32,6 +32,12 @@ std::span<const CodeInfo> conversion_codes() {
           "and no model is fitted to it",
           "compare the focal lengths (or c, d and e) with the calibration's result"),
       error(Code::kNoPartCompared, "nothing-to-compare", "{0}: no part of the image could be compared with {1}"),
+      note(Code::kOnlyRaysCompared, "only-rays-compared",
+           "{0} is a table of {1} rays: errors are those at its rays, and nothing is known between them"),
+      clause(Code::kRaysEndThere, "the table of rays ends there"),
+      bad_request(Code::kRaysFittedForRms, "rays-fitted-for-rms", "{0} is a table of rays, which is fitted for the rms only"),
+      error(Code::kOnlyRaysKnown, "only-rays-known", "{0} is a table of rays, no camera model",
+            "convert it to a model first, and use that"),
       warning(Code::kTargetCannotReach, "target-cannot-reach",
               "{0}: {1} cannot describe this lens as far as the domain goes; it was fitted inside {2:.0f} deg from the axis, "
               "is scored there, and gives wrong pixels or none beyond",

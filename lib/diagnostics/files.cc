@@ -144,6 +144,15 @@ std::span<const CodeInfo> file_codes() {
       bad_request(Code::kFormatHasNoValue, "parameter-not-storable",
                   "{0}: {1} = {2} cannot be stored as {3} ({4}); it must lie in [{5}, {6}]",
                   "convert the camera to this format's ranges first"),
+      // A table of rays.
+      error(Code::kRaysWrongSyntax, "wrong-syntax", "a table of rays has lines of numbers: u v x y z"),
+      error(Code::kTooFewRays, "too-few-rays", "there are {0} rays; at least {1} are wanted"),
+      error(Code::kRaysWithoutCentre, "rays-without-centre",
+            "the rays nearest to the axis (x = y = 0, z > 0) determine no focal length and principal point",
+            "rays are x right, y down, z forward; are the columns u v x y z?"),
+      error(Code::kRayWithoutDirection, "out-of-range", "x, y and z are 0 or too large: that is no direction"),
+      error(Code::kPixelOutOfRange, "out-of-range", "no image has the pixel ({0}, {1})"),
+
       bad_request(Code::kFormatIsReadOnly, "format-read-only", "fca-io reads {0}, and does not write it"),
       bad_request(Code::kFormatNeedsCamera, "no-camera", "{0}: this format needs a camera, and the input has none"),
       error(Code::kFormatNeedsSize, "image-size-missing", "{0}: {1} and the input has no size", "state it"),

@@ -104,6 +104,7 @@ std::optional<Camera> with_changed_images(const Camera& camera, const ImageChang
   if (!changed) return std::nullopt;
   Camera result = camera;
   result.model = with_pixels(camera.model, changed->map);
+  for (Correspondence& entry : result.rays) entry.pixel = changed->map(entry.pixel);
   result.image_size = changed->size;
   if (camera.lens_circle) result.lens_circle = with_pixels(*camera.lens_circle, changed->map);
   const auto [along_u, along_v] = changed->map.scale;

@@ -9,6 +9,10 @@ namespace fca {
 
 std::string with_owner(const ExtraField& field) { return field.owner.empty() ? field.key : field.owner + " " + field.key; }
 
+std::string_view Camera::lens_id() const { return rays.empty() ? model_info(model).id : "rays"; }
+
+std::string_view Camera::lens_title() const { return rays.empty() ? model_info(model).title : "table of rays"; }
+
 const Camera* Rig::find_camera(std::string_view name) const {
   const auto found = std::ranges::find(cameras, name, &Camera::name);
   return found == cameras.end() ? nullptr : &*found;

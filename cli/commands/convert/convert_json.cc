@@ -154,7 +154,7 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, std::span<const t
     json.object([&] {
       json.put("name", camera.name());
       json.put("input_name", camera.source.name);
-      json.put("from_model", model_info(camera.source.model).id);
+      json.put("from_model", camera.source.lens_id());
       json.put("to_model", model_info(camera.target.model).id);
       json.put("exact", !camera.report || camera.report->exact);
       put_parameters(json, camera.target.model);

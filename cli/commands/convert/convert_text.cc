@@ -30,7 +30,7 @@ std::string left_out_in_words(const ConvertedCamera& camera) {
 }  // namespace
 
 std::string models_in_words(const ConvertedCamera& camera) {
-  const std::string from(model_info(camera.source.model).id);
+  const std::string from(camera.source.lens_id());
   const std::string to(model_info(camera.target.model).id);
   if (from == to && camera.source.model == camera.target.model) return from;
   if (from == to) return from + left_out_in_words(camera);
@@ -39,6 +39,7 @@ std::string models_in_words(const ConvertedCamera& camera) {
 }
 
 std::string_view way_in_words(const ConvertedCamera& camera) {
+  if (!camera.source.rays.empty()) return "fitted";
   if (camera.source.model == camera.target.model) return "kept";
   return camera.report && camera.report->exact ? "exact" : "fitted";
 }

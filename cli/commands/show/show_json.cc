@@ -18,9 +18,16 @@ namespace {
 
 void put_camera(Json& json, const Camera& camera, double limit_deg) {
   json.put("name", camera.name);
-  json.put("model", model_info(camera.model).id);
-  put_parameters(json, camera.model);
-  json.put("names_elsewhere", std::span<const std::string>(names_elsewhere(model_info(camera.model).id)));
+  json.put("model", camera.lens_id());
+  const bool has_model = camera.rays.empty();
+  if (has_model) {
+    put_parameters(json, camera.model);
+  } else {
+    json.object("parameters", [] {});
+    json.put("rays", static_cast<long long>(camera.rays.size()));
+  }
+  const std::vector<std::string> elsewhere = has_model ? names_elsewhere(camera.lens_id()) : std::vector<std::string>();
+  json.put("names_elsewhere", std::span<const std::string>(elsewhere));
   if (camera.image_size) {
     json.put("width_px", camera.image_size->width);
     json.put("height_px", camera.image_size->height);
@@ -28,12 +35,12 @@ void put_camera(Json& json, const Camera& camera, double limit_deg) {
     json.null("width_px");
     json.null("height_px");
   }
-  const FieldsOfView view = fields_of_view(camera, limit_deg / kDegreesPerRadian);
+  const FieldsOfView view = has_model ? fields_of_view(camera, limit_deg / kDegreesPerRadian) : FieldsOfView();
   json.put("horizontal_fov_deg", in_degrees(view.horizontal));
   json.put("vertical_fov_deg", in_degrees(view.vertical));
   json.put("diagonal_fov_deg", in_degrees(view.diagonal));
   json.put("max_angle_deg", in_degrees(view.largest_from_axis));
-  json.put("model_max_angle_deg", max_angle(camera.model) * kDegreesPerRadian);
+  json.put("model_max_angle_deg", has_model ? std::optional(max_angle(camera.model) * kDegreesPerRadian) : std::nullopt);
   json.put("time_offset_s", camera.time_offset_s);
   json.put("frame_rate_hz", camera.frame_rate_hz);
   if (!camera.topic.empty()) json.put("topic", camera.topic);

@@ -29,7 +29,18 @@ std::string signed_in_words(double value) { return (value < 0.0 ? "- " : "+ ") +
 /// Does what was read beside the representation speak of that camera?
 bool is_of(const ExtraField& extra, const Camera& camera) { return extra.owner == camera.name; }
 
+/// What is known of a lens without a model.
+std::string rays_text(const Camera& camera) {
+  double furthest = 0.0;
+  for (const Correspondence& entry : camera.rays) furthest = std::max(furthest, angle_from_axis(entry.ray));
+  std::string text = "\n" + camera.name + ": " + std::string(camera.lens_title()) + "\n";
+  text += "  rays     " + std::to_string(camera.rays.size()) + ", up to " + angle_in_words(furthest * kDegreesPerRadian) + "\n";
+  const Pixel centre = principal_point(camera.model);
+  return text + "  axis     at about (" + text::format_short(centre[0], 5) + ", " + text::format_short(centre[1], 5) + ") px\n";
+}
+
 std::string camera_text(const Camera& camera, std::span<const ExtraField> extras, double limit_deg) {
+  if (!camera.rays.empty()) return rays_text(camera);
   const ModelInfo& model = model_info(camera.model);
   std::string text = "\n" + camera.name + ": " + std::string(model.title) + " (" + std::string(model.id) + ")\n";
   const std::vector<std::string> elsewhere = names_elsewhere(model.id);

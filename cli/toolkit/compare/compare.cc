@@ -29,11 +29,11 @@ bool is_about_unit(const Diagnostic& entry) { return entry.facts.code == Code::k
 /// The unit that the request gives is that of files that state none; one that states its own keeps it.
 std::optional<Calibration> read_in_unit(Inputs inputs, Files& files, Diagnostics& diagnostics) {
   Diagnostics found;
-  std::optional<Calibration> calibration = read_calibration(inputs, files, found);
+  std::optional<Calibration> calibration = read_models(inputs, files, found);
   if (std::ranges::any_of(found.entries(), is_about_unit)) {
     found = {};
     inputs.length_unit_m.reset();
-    calibration = read_calibration(inputs, files, found);
+    calibration = read_models(inputs, files, found);
   }
   for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
   return calibration;

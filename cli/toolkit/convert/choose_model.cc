@@ -76,7 +76,7 @@ bool may_be_chosen(const StoredModel& stored, const ModelChoice& choice) {
 namespace {
 
 bool keeps(const Camera& camera, const StoredModel& stored, const ModelChoice& choice) {
-  return model_info(camera.model).id == stored.model && within(camera.model, ranges_of(stored, choice));
+  return camera.lens_id() == stored.model && within(camera.model, ranges_of(stored, choice));
 }
 
 std::optional<ConvertedCamera> convert_one(const Camera& camera, const StoredModel& stored, const ModelChoice& choice,
@@ -146,7 +146,7 @@ std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, 
   for (const StoredModel& stored : format.models) {
     if ((may_be_kept(stored, choice) || choice.same_format) && keeps(camera, stored, choice)) return stored;
   }
-  const std::string_view model = model_info(camera.model).id;
+  const std::string_view model = camera.lens_id();
   if (!choice.same_format || find_stored_model(format, model, false) != nullptr) return std::nullopt;
   StoredModel as_read;
   as_read.model = model;

@@ -131,7 +131,7 @@ bool has_assumed_unit(const PoseEdge& edge, const Calibration& calibration) {
 
 CameraReading read_camera(const Inputs& inputs, Files& files) {
   CameraReading result;
-  const std::optional<Calibration> calibration = read_calibration(inputs, files, result.diagnostics);
+  const std::optional<Calibration> calibration = read_models(inputs, files, result.diagnostics);
   if (calibration) {
     const std::vector<Camera>& cameras = calibration->rig.cameras;
     std::vector<std::string> names;

@@ -159,6 +159,15 @@ bool is_converted(NoiseKind kind, const Format& format) { return format.noise_of
 
 }  // namespace
 
+std::optional<Calibration> read_models(const Inputs& inputs, Files& files, Diagnostics& diagnostics) {
+  std::optional<Calibration> calibration = read_calibration(inputs, files, diagnostics);
+  if (!calibration) return std::nullopt;
+  for (const Camera& camera : calibration->rig.cameras) {
+    if (!camera.rays.empty()) diagnostics.add(Code::kOnlyRaysKnown, {camera.name}, {inputs.files.front(), 0, 0});
+  }
+  return diagnostics.has_errors() ? std::nullopt : std::move(calibration);
+}
+
 std::optional<Calibration> read_as_stated(const Inputs& given, Files& files, Diagnostics& diagnostics) {
   if (given.files.empty()) {
     diagnostics.add(Code::kNoInput);

@@ -17,7 +17,7 @@ namespace {
 
 /// The camera whose images they are; nothing with an error where the file has none, or several.
 std::optional<Camera> source_of(const RemapRequest& request, Files& files, Diagnostics& diagnostics) {
-  const std::optional<Calibration> calibration = read_calibration(request.inputs, files, diagnostics);
+  const std::optional<Calibration> calibration = read_models(request.inputs, files, diagnostics);
   if (!calibration) return std::nullopt;
   const std::vector<Camera>& cameras = calibration->rig.cameras;
   const auto refuse = [&](Code code) {
@@ -61,7 +61,7 @@ ImageMap map_of(const ImageMapper& mapper, std::size_t jobs) {
 std::optional<Camera> like(const std::string& file, const std::string& name, Files& files, Diagnostics& diagnostics) {
   Inputs inputs;
   inputs.files = {file};
-  const std::optional<Calibration> calibration = read_calibration(inputs, files, diagnostics);
+  const std::optional<Calibration> calibration = read_models(inputs, files, diagnostics);
   if (!calibration) return std::nullopt;
   const std::vector<Camera>& cameras = calibration->rig.cameras;
   const auto same = std::ranges::find(cameras, name, &Camera::name);

@@ -12,9 +12,6 @@ namespace fca::internal {
 
 namespace {
 
-constexpr double kGoodEnoughPx = 0.01;
-constexpr double kNearlyAsGood = 1.1;
-
 /// The coefficients beyond the lowest degree.
 std::vector<ParameterId> higher_terms(std::string_view model) {
   std::vector<ParameterId> terms;
@@ -29,9 +26,9 @@ std::vector<ParameterId> higher_terms(std::string_view model) {
 }
 
 /// Of the terms that the caller's ranges leave free, the number up to the last; nothing where the ranges speak of none.
-std::optional<std::size_t> freed_by_ranges(const FitTask& task, const std::vector<ParameterId>& terms) {
+std::optional<std::size_t> freed_by_ranges(const ConvertOptions& options, const std::vector<ParameterId>& terms) {
   std::optional<std::size_t> count;
-  for (const ParameterRange& range : task.options.ranges) {
+  for (const ParameterRange& range : options.ranges) {
     const auto term = std::ranges::find(terms, range.parameter.name(), &ParameterId::name);
     if (term == terms.end()) continue;
     const bool is_free = range.lower != 0.0 || range.upper != 0.0;
@@ -41,12 +38,11 @@ std::optional<std::size_t> freed_by_ranges(const FitTask& task, const std::vecto
   return count;
 }
 
-DegreeFit fit_with(const FitTask& task, std::span<const ParameterId> terms) {
-  constexpr double kAny = std::numeric_limits<double>::infinity();
+DegreeFit fit_with(const FitTask& task, const DegreeRanges& degree) {
   ConvertOptions options = task.options;
-  for (const ParameterId& term : terms) options.ranges.push_back({term, -kAny, kAny});
+  options.ranges = degree.ranges;
   DomainFit fit = fit_domain({task.camera, task.target, options, task.domain, task.centre});
-  return {std::move(fit), std::move(options.ranges), task.target.least_degree + static_cast<int>(terms.size())};
+  return {std::move(fit), degree.ranges, degree.degree};
 }
 
 /// How many points of the image's border have a ray. A polynomial that turns inside the image, behind what it was fitted to,
@@ -69,24 +65,33 @@ double rms_of(const DegreeFit& each) { return each.fit.score.judgement.error.rms
 
 }  // namespace
 
-std::vector<DegreeFit> fit_degrees(const FitTask& task) {
-  const std::vector<ParameterId> terms = higher_terms(task.target.id);
-  std::vector<DegreeFit> fits;
-  const std::optional<std::size_t> freed = freed_by_ranges(task, terms);
-  if (terms.empty() || freed) {
-    const int degree = task.target.least_degree + static_cast<int>(freed.value_or(0));
-    fits.push_back({fit_domain(task), task.options.ranges, degree});
-    return fits;
+std::vector<DegreeRanges> degrees_to_try(const ModelInfo& target, const ConvertOptions& options) {
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  const std::vector<ParameterId> terms = higher_terms(target.id);
+  if (terms.empty()) return {{target.least_degree, options.ranges}};
+  if (const std::optional<std::size_t> freed = freed_by_ranges(options, terms))
+    return {{target.least_degree + static_cast<int>(*freed), options.ranges}};
+  std::vector<DegreeRanges> degrees;
+  std::vector<ParameterRange> ranges = options.ranges;
+  for (std::size_t count = 0; count <= terms.size(); ++count) {
+    const int degree = target.least_degree + static_cast<int>(count);
+    if (!options.degree || degree == *options.degree) degrees.push_back({degree, ranges});
+    if (count < terms.size()) ranges.push_back({terms[count], -kAny, kAny});
   }
-  if (task.options.degree) {
-    const auto count = static_cast<std::size_t>(*task.options.degree - task.target.least_degree);
-    fits.push_back(fit_with(task, std::span(terms).first(count)));
+  return degrees;
+}
+
+std::vector<DegreeFit> fit_degrees(const FitTask& task) {
+  std::vector<DegreeFit> fits;
+  const std::vector<DegreeRanges> degrees = degrees_to_try(task.target, task.options);
+  if (degrees.size() == 1) {
+    fits.push_back(fit_with(task, degrees.front()));
     return fits;
   }
   constexpr double kSameShare = 1e-3;
   const auto reached = [](const DegreeFit& each) { return each.fit.score.judgement.coverage.scored; };
-  for (std::size_t count = 0; count <= terms.size(); ++count) {
-    DegreeFit fit = fit_with(task, std::span(terms).first(count));
+  for (const DegreeRanges& degree : degrees) {
+    DegreeFit fit = fit_with(task, degree);
     const bool has_model = fit.fit.fitted.model.has_value();
     const bool reaches_less = has_model && !fits.empty() &&
                               (reached(fit) < reached(fits.front()) - kSameShare ||

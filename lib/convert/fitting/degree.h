@@ -8,6 +8,20 @@
 
 namespace fca::internal {
 
+/// Nobody looks for less of a polynomial's error, nor for a tenth less.
+inline constexpr double kGoodEnoughPx = 0.01;
+inline constexpr double kNearlyAsGood = 1.1;
+
+/// A degree that a target may be fitted with, and the ranges which make it that.
+struct DegreeRanges {
+  int degree = 0;  ///< 0: the target has none to choose.
+  std::vector<ParameterRange> ranges;
+};
+
+/// Those to choose from by the options, the lowest first. Where the options state a degree, or have a range for a coefficient
+/// beyond the lowest, or where the target has none, it is one.
+[[nodiscard]] std::vector<DegreeRanges> degrees_to_try(const ModelInfo& target, const ConvertOptions& options);
+
 struct DegreeFit {
   DomainFit fit;
   std::vector<ParameterRange> ranges;  ///< That it was made with.

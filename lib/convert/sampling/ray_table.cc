@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <vector>
 
 namespace fca {
@@ -19,11 +21,17 @@ std::optional<LensCentre> centre_of(std::span<const Correspondence> table) {
   LensCentre centre;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     internal::LinearFit<2> fit;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
     for (const Correspondence& c : inner) {
       const double sine = std::hypot(c.ray[0], c.ray[1]);
       const double along = sine > 0.0 ? angle_from_axis(c.ray) * c.ray[axis] / sine : 0.0;
       fit.add({along, 1.0}, c.pixel[axis], c.weight);
+      least = std::min(least, along);
+      most = std::max(most, along);
     }
+    constexpr double kNoSpread = 1e-9;  // rad
+    if (!(most - least > kNoSpread)) return std::nullopt;
     std::array<double, 2> solution{};
     fit.solve(solution.data());
     if (!(solution[0] > 0.0) || !std::isfinite(solution[0]) || !std::isfinite(solution[1])) return std::nullopt;
@@ -33,7 +41,70 @@ std::optional<LensCentre> centre_of(std::span<const Correspondence> table) {
   return centre;
 }
 
-ErrorSummary judge(std::span<const Correspondence> table, const Projection& target) {
+namespace {
+
+/// A ray at some distance from the pixel of the axis.
+struct Sighting {
+  Correspondence entry;
+  double radius_px = 0.0;
+};
+
+/// From the axis outwards, in that direction about it: as far as the radius grows.
+std::vector<Sighting> sightings_along(const Projection& projection, const Pixel& centre, double azimuth, double max_angle_rad) {
+  constexpr int kSteps = 400;
+  std::vector<Sighting> line;
+  double last = 0.0;
+  for (int i = 1; i <= kSteps; ++i) {
+    const double angle = max_angle_rad * i / kSteps;
+    const Ray ray = {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle)};
+    const std::optional<Pixel> pixel = projection(ray);
+    if (!pixel) break;
+    const double radius = std::hypot((*pixel)[0] - centre[0], (*pixel)[1] - centre[1]);
+    if (!(radius > last) || !std::isfinite(radius)) break;
+    last = radius;
+    line.push_back({{ray, *pixel, 0.0}, radius});
+  }
+  return line;
+}
+
+bool is_in(const ImageSize& size, const Pixel& pixel) {
+  return pixel[0] >= -0.5 && pixel[1] >= -0.5 && pixel[0] <= size.width - 0.5 && pixel[1] <= size.height - 0.5;
+}
+
+}  // namespace
+
+std::optional<Camera> measured(Camera camera, const Projection& projection, double max_angle_rad) {
+  constexpr int kDirections = 64;
+  constexpr int kRadii = 40;
+  const std::optional<Pixel> centre = projection({0.0, 0.0, 1.0});
+  if (!centre || !camera.image_size) return std::nullopt;
+  camera.rays.clear();
+  for (int i = 0; i < kDirections; ++i) {
+    std::vector<Sighting> line =
+        sightings_along(projection, *centre, 2.0 * std::numbers::pi * (i + 0.5) / kDirections, max_angle_rad);
+    while (!line.empty() && !is_in(*camera.image_size, line.back().entry.pixel)) line.pop_back();
+    if (line.empty()) continue;
+    const double furthest = line.back().radius_px;
+    double before = 0.0;
+    for (const Sighting& sighting : line) {
+      if (sighting.radius_px - before < furthest / kRadii && &sighting != &line.back()) continue;
+      if (is_in(*camera.image_size, sighting.entry.pixel)) {
+        camera.rays.push_back(sighting.entry);
+        camera.rays.back().weight = sighting.radius_px * (sighting.radius_px - before);
+      }
+      before = sighting.radius_px;
+    }
+  }
+  double sum = 0.0;
+  for (const Correspondence& entry : camera.rays) sum += entry.weight;
+  for (Correspondence& entry : camera.rays) entry.weight /= sum;
+  const std::optional<LensCentre> found = camera.rays.size() < kFewestRays ? std::nullopt : centre_of(camera.rays);
+  if (!found) return std::nullopt;
+  camera.model = Intrinsics<Pinhole>{{found->focal[0], found->focal[1], (*centre)[0], (*centre)[1]}};
+  return camera;
+}
+
+Judgement judge_table(std::span<const Correspondence> table, const Domain& domain, const Projection& target) {
   constexpr int kBinsPerOctave = 1024;  // percentiles to 0.1 %
   internal::Summary summary(kBinsPerOctave);
   internal::Batch batch;
@@ -59,7 +130,11 @@ ErrorSummary judge(std::span<const Correspondence> table, const Projection& targ
     if (++count == internal::Batch::kSize) add();
   }
   add();
-  return summary.judgement({}).error;
+  return summary.judgement(domain);
+}
+
+ErrorSummary judge(std::span<const Correspondence> table, const Projection& target) {
+  return judge_table(table, {}, target).error;
 }
 
 }  // namespace fca

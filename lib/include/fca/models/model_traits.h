@@ -56,6 +56,7 @@ struct Correspondence {
   std::array<double, 3> ray{};  ///< Unit length.
   std::array<double, 2> pixel{};
   double weight = 1.0;  ///< Share of the domain's area; the weights of a fit sum to 1.
+  bool operator==(const Correspondence&) const = default;
 };
 
 /// What is seen at the optical axis, whatever a model's parameters are: the pivot between models, and all a fit is given of the

@@ -34,7 +34,14 @@ struct Camera {
   std::optional<double> frame_rate_hz;
   std::string topic;                           ///< ROS topic; empty if none.
   std::optional<LensCircle> lens_circle = {};  ///< Where images show it; no file says it.
+  /// Where the lens is known by rays and their pixels alone (kFewestRays or more; the weights sum to 1): `model` is then a
+  /// pinhole with its centre (centre_of(), fca/convert/ray_table.h), and only a conversion makes a model of it.
+  std::vector<Correspondence> rays = {};
   bool operator==(const Camera&) const = default;
+
+  /// The id and title of its model, or those of a table of rays.
+  [[nodiscard]] std::string_view lens_id() const;
+  [[nodiscard]] std::string_view lens_title() const;
 };
 
 /// Noise of an IMU as continuous-time densities; nothing where the file does not say.

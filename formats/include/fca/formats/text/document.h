@@ -20,7 +20,7 @@ enum class Syntax {
   kXml,         ///< XML of cv::FileStorage; the root is what stands in <opencv_storage>.
   kJson,        ///< Strict JSON. All collections are flow collections.
   kWords,       ///< Lines of words: a sequence of sequences, one for every physical line (OCamCalib, DSO).
-  kBinary,      ///< COLMAP's cameras.bin and rigs.bin, as the lines of words that cameras.txt and rigs.txt have.
+  kBinary,      ///< COLMAP's cameras.bin and rigs.bin, as the lines of words that cameras.txt and rigs.txt have; NumPy's .npy.
 };
 
 class Document {

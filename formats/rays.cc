@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A lens as a table of rays, from a measurement or a program of one's own: it is read, and fitted as any model.
+//
+//   u v x y z      a pixel (the centre of the top-left one is 0, 0) and its ray (x right, y down, z forward, of any length)
+//
+// One line each, with blanks or commas between the numbers. A first line of those five names, and lines that begin with #, are
+// not read. Or a .npy file of rows of five numbers. No line may lack a ray: leave the pixels out that see nothing.
+#include "rays.h"
+
+#include "fields.h"
+#include "text/npy.h"
+#include "text/words.h"
+
+#include <fca/code.h>
+#include <fca/convert/ray_table.h>
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fca::rays {
+
+using text::Node;
+
+namespace {
+
+constexpr std::array<std::string_view, 5> kColumns = {"u", "v", "x", "y", "z"};
+constexpr std::string_view kSeparators = ",; \t";
+
+/// A line's words, also where commas alone stand between them.
+std::vector<Node> words_of(const Node& line) {
+  std::vector<Node> words;
+  for (const Node& item : line.items) {
+    const std::string& text = item.value;
+    for (std::size_t at = text.find_first_not_of(kSeparators); at != std::string::npos;) {
+      const std::size_t end = std::min(text.find_first_of(kSeparators, at), text.size());
+      Node word = item;
+      word.value = text.substr(at, end - at);
+      word.span = {item.span.offset + at, end - at};
+      words.push_back(std::move(word));
+      at = text.find_first_not_of(kSeparators, end);
+    }
+  }
+  return words;
+}
+
+bool names_columns(std::span<const Node> words) { return std::ranges::equal(words, kColumns, {}, &Node::value); }
+
+/// The first line that states something.
+const Node* first_line(const text::Document& document) {
+  const auto found = std::ranges::find_if(
+      document.root().items, [](const Node& line) { return !line.items.empty() && line.tag != text::kCommentTag; });
+  return found == document.root().items.end() ? nullptr : &*found;
+}
+
+std::optional<Correspondence> entry_of(fields::Reader& reader, const Node& line, std::span<const Node> words) {
+  if (words.size() != kColumns.size()) {
+    reader.say(line, Code::kNumbersWanted, {"u v x y z", words.size(), kColumns.size()});
+    return std::nullopt;
+  }
+  std::array<double, kColumns.size()> numbers{};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::optional<double> number = reader.real(words[i], kColumns.at(i));
+    if (!number) return std::nullopt;
+    numbers.at(i) = *number;
+  }
+  Correspondence entry;
+  std::copy_n(numbers.begin(), entry.pixel.size(), entry.pixel.begin());
+  std::copy_n(numbers.begin() + 2, entry.ray.size(), entry.ray.begin());
+  constexpr double kMostPixels = 1e6;
+  if (std::abs(entry.pixel[0]) > kMostPixels || std::abs(entry.pixel[1]) > kMostPixels) {
+    reader.say(line, Code::kPixelOutOfRange, {entry.pixel[0], entry.pixel[1]});
+    return std::nullopt;
+  }
+  if (!internal::normalise(entry.ray.data())) {
+    reader.say(line, Code::kRayWithoutDirection);
+    return std::nullopt;
+  }
+  return entry;
+}
+
+std::optional<Camera> read_camera(const text::Document& document, const ReadOptions& options, Diagnostics& diagnostics) {
+  Camera camera;
+  camera.name = "cam0";
+  camera.image_size = options.image_size;
+  if (document.root().kind != text::NodeKind::kSequence) {
+    diagnostics.add(Code::kRaysWrongSyntax, {}, {document.source().name, 0, 0});
+    return std::nullopt;
+  }
+  fields::Reader reader(document, text::Dialect::kPyYaml, diagnostics);
+  const Node* first = first_line(document);
+  for (const Node& line : document.root().items) {
+    if (line.items.empty() || line.tag == text::kCommentTag) continue;
+    const std::vector<Node> words = words_of(line);
+    if (&line == first && names_columns(words)) continue;
+    const std::optional<Correspondence> entry = entry_of(reader, line, words);
+    if (!entry) return std::nullopt;
+    camera.rays.push_back(*entry);
+  }
+  const std::optional<LensCentre> centre = camera.rays.size() < kFewestRays ? std::nullopt : centre_of(camera.rays);
+  if (!centre) {
+    diagnostics.add(camera.rays.size() < kFewestRays ? Code::kTooFewRays : Code::kRaysWithoutCentre,
+                    {camera.rays.size(), kFewestRays}, {document.source().name, 0, 0});
+    return std::nullopt;
+  }
+  for (Correspondence& entry : camera.rays) entry.weight = 1.0 / static_cast<double>(camera.rays.size());
+  camera.model = Intrinsics<Pinhole>{{centre->focal[0], centre->focal[1], centre->point[0], centre->point[1]}};
+  return camera;
+}
+
+std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
+  Rig rig;
+  for (const text::Document& document : documents) {
+    std::optional<Camera> camera = read_camera(document, options, diagnostics);
+    if (!camera) return std::nullopt;
+    rig.cameras.push_back(*std::move(camera));
+  }
+  return rig;
+}
+
+/// Five numbers in a line may be anything: only the names of the columns, or a row of NumPy's, tell.
+ProbeResult probe(const text::Document& document) {
+  if (document.root().tag == text::kNpyTag) return {evidence::kHint, {Code::kFoundKeys, {"NumPy"}}};
+  const bool has_lines = document.syntax() == text::Syntax::kWords;
+  const Node* first = has_lines ? first_line(document) : nullptr;
+  if (first == nullptr || !names_columns(words_of(*first))) return {};
+  return {evidence::kCamera, {Code::kFoundKeys, {std::vector<std::string>(kColumns.begin(), kColumns.end())}}};
+}
+
+}  // namespace
+
+const Format kFormat = {
+    .id = "rays",
+    .title = "table of rays (u v x y z)",
+    .group = FormatGroup::kCalibration,
+    .syntaxes = "CSV, text, .npy",
+    .extension = ".csv",
+    .program = "a measurement",
+    .many_cameras = false,
+    .extrinsics = false,
+    .imu = false,
+    .image_size = false,
+    .models = {},
+    .probe = probe,
+    .read = read,
+};
+
+}  // namespace fca::rays

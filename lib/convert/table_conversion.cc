@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "table_conversion.h"
+
+#include "fitting/degree.h"
+#include "fitting/fit_domain.h"
+#include "fitting/fit_model.h"
+
+#include <fca/code.h>
+#include <fca/convert/ray_table.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace fca::internal {
+
+namespace {
+
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+constexpr double kAheadDeg = 90.0;
+
+using Table = std::vector<Correspondence>;
+
+/// The entries of a table up to that angle from the axis; their weights sum to 1.
+Table inside(const Table& table, double max_angle_rad) {
+  Table result;
+  std::ranges::copy_if(table, std::back_inserter(result),
+                       [max_angle_rad](const Correspondence& entry) { return angle_from_axis(entry.ray) <= max_angle_rad; });
+  double sum = 0.0;
+  for (const Correspondence& entry : result) sum += entry.weight;
+  for (Correspondence& entry : result) entry.weight /= sum;
+  return result;
+}
+
+double largest_angle(const Table& table) {
+  double largest = 0.0;
+  for (const Correspondence& entry : table) largest = std::max(largest, angle_from_axis(entry.ray));
+  return largest;
+}
+
+/// What lies in the image, and on the lens by the caller's limits.
+Table of_domain(const Camera& camera, const ConvertOptions& options) {
+  Table table = camera.rays;
+  if (camera.image_size) {
+    const auto [width, height] = *camera.image_size;
+    std::erase_if(table, [right = width - 0.5, bottom = height - 0.5](const Correspondence& entry) {
+      const auto [u, v] = entry.pixel;
+      return u < -0.5 || v < -0.5 || u > right || v > bottom;
+    });
+  }
+  if (camera.lens_circle) {
+    std::erase_if(table, [&camera](const Correspondence& entry) { return !camera.lens_circle->contains(entry.pixel); });
+  }
+  return inside(table, options.max_angle_rad.value_or(std::numbers::pi));
+}
+
+/// A fit and the angle up to which it counts.
+struct TableFit {
+  std::optional<FittedModel> model;
+  double reach_rad = std::numbers::pi;
+  std::size_t entries = 0;
+  int degree = 0;
+};
+
+/// The rule of fit_domain.h.
+bool describes(const FittedModel& fit, std::string_view target) {
+  constexpr double kLimitRms = 1.0;  // px
+  return fit.reaches_all && (!sees_ahead_only(target) || fit.rms_px <= kLimitRms);
+}
+
+TableFit fit_table(const Table& table, const LensCentre& centre, const ModelInfo& target, const DegreeRanges& degree,
+                   bool cone) {
+  TableFit whole{fit_model(target.id, table, centre, degree.ranges), std::numbers::pi, table.size(), degree.degree};
+  if (!cone || (whole.model && describes(*whole.model, target.id))) return whole;
+  constexpr int kStepDeg = 5;
+  const double furthest = largest_angle(table) / kRadiansPerDegree;
+  const double below = sees_ahead_only(target.id) ? std::min(furthest, kAheadDeg) : furthest;
+  for (int deg = static_cast<int>(std::ceil(below / kStepDeg) - 1.0) * kStepDeg; deg >= kStepDeg; deg -= kStepDeg) {
+    const double reach_rad = deg * kRadiansPerDegree;
+    const Table narrower = inside(table, reach_rad);
+    if (too_few(narrower.size(), target)) break;
+    std::optional<FittedModel> fit = fit_model(target.id, narrower, centre, degree.ranges);
+    if (fit && describes(*fit, target.id)) return {std::move(fit), reach_rad, narrower.size(), degree.degree};
+  }
+  return whole;
+}
+
+/// Of the degrees the lowest that is nearly as good as the best of those which reach as far as the first.
+TableFit fit_degrees_of_table(const Table& table, const LensCentre& centre, const ModelInfo& target,
+                              const ConvertOptions& options) {
+  std::vector<TableFit> fits;
+  for (const DegreeRanges& degree : degrees_to_try(target, options)) {
+    TableFit fit = fit_table(table, centre, target, degree, options.cone);
+    const bool is_first = fits.empty();
+    if (!is_first && (!fit.model || !fits.front().model || fit.reach_rad < fits.front().reach_rad)) continue;
+    fits.push_back(std::move(fit));
+    if (is_first && !fits.front().model) break;
+    if (fits.back().model->rms_px < kGoodEnoughPx) break;
+  }
+  const auto rms_of = [](const TableFit& fit) { return fit.model ? fit.model->rms_px : 0.0; };
+  const double enough = std::max(kGoodEnoughPx, kNearlyAsGood * rms_of(*std::ranges::min_element(fits, {}, rms_of)));
+  return *std::ranges::find_if(fits, [&](const TableFit& fit) { return rms_of(fit) <= enough; });
+}
+
+}  // namespace
+
+std::optional<Conversion> convert_table(const Camera& camera, const ModelInfo& target, const ConvertOptions& options,
+                                        Diagnostics& diagnostics) {
+  using Clock = std::chrono::steady_clock;
+  if (options.objective != Objective::kRms) {
+    diagnostics.add(Code::kRaysFittedForRms, {camera.name});
+    return std::nullopt;
+  }
+  const Table table = of_domain(camera, options);
+  if (too_few(table.size(), target)) {
+    diagnostics.add(Code::kTooFewRaysToFit, {camera.name, target.id});
+    return std::nullopt;
+  }
+  const LensCentre centre{central_focal_lengths(camera.model), principal_point(camera.model)};
+  const Clock::time_point start = Clock::now();
+  const TableFit fit = fit_degrees_of_table(table, centre, target, options);
+  const std::chrono::duration<double, std::micro> time = Clock::now() - start;
+  if (!fit.model) {
+    diagnostics.add(Code::kFitFailed, {camera.name, target.id});
+    return std::nullopt;
+  }
+  Conversion conversion{camera, {}};
+  conversion.camera.rays.clear();
+  conversion.camera.model = fit.model->model;
+  ConversionReport& report = conversion.report;
+  report.from_model = camera.lens_id();
+  report.to_model = target.id;
+  report.fitted_to_cone = fit.reach_rad < std::numbers::pi;
+  if (report.fitted_to_cone) {
+    diagnostics.add(Code::kTargetCannotReach, {camera.name, target.id, fit.reach_rad / kRadiansPerDegree});
+  }
+  const double furthest = largest_angle(table);
+  report.scored_to_deg = std::min({furthest, fit.reach_rad, max_angle(fit.model->model)}) / kRadiansPerDegree;
+  report.fit = {static_cast<int>(fit.entries), fit.model->iterations, time.count()};
+  report.degree = fit.degree;
+  report.at_bound = fit.model->at_bound;
+
+  Domain domain;
+  domain.max_angle_rad = furthest;
+  domain.why = {Code::kRaysEndThere};
+  report.judgement = judge_table(table, domain, [&conversion, &fit](const Ray& ray) {
+    return angle_from_axis(ray) <= fit.reach_rad ? project(conversion.camera.model, ray) : std::nullopt;
+  });
+  diagnostics.add(Code::kOnlyRaysCompared, {camera.name, table.size()});
+  if (!(report.judgement.coverage.scored > 0.0)) {
+    diagnostics.add(Code::kNoPartCompared, {camera.name, target.id});
+    return std::nullopt;
+  }
+  return conversion;
+}
+
+}  // namespace fca::internal
