@@ -55,26 +55,25 @@ constexpr std::array kFastLivo = {Name("fast-livo"), Name("fast-livo2")};
 constexpr std::array kMsckfVio = {Name("msckf_vio"), Name("msckf")};
 constexpr std::array kStella = {Name("stella"), Name("stella_vslam"), Name("openvslam"), Name("plp-slam"), Name("360vslam")};
 constexpr std::array kMrcal = {Name("mrcal"), Name("deltacamera")};
-constexpr std::array kOpensfm = {Name("opensfm"), Name("odm"), Name("webodm")};
+constexpr std::array kOpensfm = {Name("odm"), Name("webodm"), Name("opendronemap")};
 constexpr std::array kDepthai = {Name("oak"), Name("oakd"), Name("depthai"), Name("luxonis")};
 constexpr std::array kRealsense = {Name("realsense"), Name("d435"), Name("d435i"),       Name("d455"),
                                    Name("t265"),      Name("rs2"),  Name("librealsense")};
 constexpr std::array kZed = {Name("zed"), Name("zed2"), Name("zedmini"), Name("zedx"), Name("stereolabs")};
 constexpr std::array kOpenicc = {Name("openicc"), Name("gopro"), Name("umi"), Name("openimucameracalibrator")};
 constexpr std::array kAria = {Name("aria"), Name("project-aria"), Name("fisheye624"), Name("vrs")};
-constexpr std::array kFtheta = {Name("ftheta"),    Name("ncore"),    Name("driveworks"), Name("isaac-sim"),
-                                Name("omniverse"), Name("alpamayo"), Name("usd"),        Name("rig.json")};
+constexpr std::array kNcore = {Name("ftheta"), Name("alpamayo"), Name("nvidia-ncore")};
+constexpr std::array kFtheta = {Name("driveworks"), Name("isaac-sim"), Name("omniverse"), Name("usd"), Name("rig.json")};
 constexpr std::array kIsaac = {Name("isaac")};
-constexpr std::array kKitti360 = {Name("kitti-360")};
 constexpr std::array kTheia = {Name("theia"), Name("pytheiasfm")};
 constexpr std::array kCarla = {Name("carla")};
 constexpr std::array kArkit = {Name("arkit"), Name("polycam"), Name("record3d")};
 constexpr std::array kPhotonvision = {Name("photonvision")};
 constexpr std::array kR3live = {Name("r3live")};
 constexpr std::array kOmnidso = {Name("omnidso")};
-constexpr std::array kMetashape = {Name("metashape"), Name("photoscan"), Name("agisoft")};
-constexpr std::array kKitti = {Name("kitti"), Name("kitti-odom")};
-constexpr std::array kMast3r = {Name("mast3r"), Name("mast3r-slam")};
+constexpr std::array kMetashape = {Name("photoscan"), Name("agisoft")};
+constexpr std::array kKitti = {Name("kitti-odom"), Name("kitti-raw"), Name("kitti-360")};
+constexpr std::array kMast3r = {Name("mast3r-slam")};
 constexpr std::array kTagslam = {Name("tagslam")};
 constexpr std::array kAirslam = {Name("airslam"), Name("airvo")};
 constexpr std::array kOpenmvg = {Name("openmvg")};
@@ -115,20 +114,16 @@ constexpr std::array kNames = {
     ProgramName{kMsckfVio, "MSCKF-VIO", "kalibr", "", "", "Kalibr's keys with flat lists for its poses"},
     ProgramName{kStella, "stella_vslam", "orbslam3", "", "", "a configuration of its own in YAML"},
     ProgramName{kMrcal, "mrcal", "opencv", "", "", ".cameramodel files"},
-    ProgramName{kOpensfm, "OpenSfM", "opencv", "", "", "camera_models.json"},
+    ProgramName{kOpensfm, "OpenSfM", "opensfm"},
     ProgramName{kDepthai, "DepthAI", "opencv", "", "", "the device's EEPROM as JSON"},
     ProgramName{kRealsense, "RealSense", "opencv", "", "", "the device's own memory (rs-enumerate-devices prints it)"},
     ProgramName{kZed, "ZED", "opencv", "", "", "SN*.conf"},
     ProgramName{kOpenicc, "OpenImuCameraCalibrator", "opencv", "", "", "a JSON of its own"},
     ProgramName{kAria, "Project Aria", "opencv", "", "", "a JSON of its own, with the model Fisheye624"},
+    ProgramName{kNcore, "NCore", "ncore"},
     ProgramName{kFtheta, "NVIDIA's f-theta", "ocamcalib", "", "", "a rig.json, or a USD, with polynomials of its own"},
-    ProgramName{kMetashape, "Metashape", "opencv", "", "", "an XML of its own"},
-    ProgramName{kKitti, "KITTI", "ros", "", "", "calib.txt; KITTI-360 (kitti-360) has files of its own"},
-    ProgramName{.names = kKitti360,
-                .title = "KITTI-360",
-                .format = "vins",
-                .reads = "perspective.txt for its perspective cameras",
-                .served_part = "its fisheyes, which have VINS' files"},
+    ProgramName{kMetashape, "Metashape", "metashape"},
+    ProgramName{kKitti, "KITTI", "kitti"},
     ProgramName{.names = kIsaac,
                 .title = "Isaac",
                 .format = "ros",
@@ -140,7 +135,7 @@ constexpr std::array kNames = {
     ProgramName{kPhotonvision, "PhotonVision", "opencv", "", "", "a JSON of its own"},
     ProgramName{kR3live, "R3LIVE", "vins", "", "", "keys of its own in its configuration"},
     ProgramName{kOmnidso, "omniDSO", "tumvi", "", "", "camera.txt with a line of the unified model"},
-    ProgramName{kMast3r, "MASt3R-SLAM", "opencv", "", "", "intrinsics.yaml"},
+    ProgramName{kMast3r, "MASt3R-SLAM", "mast3r"},
     ProgramName{kTagslam, "TagSLAM", "kalibr", "", "",
                 "cameras.yaml, Kalibr's keys with a tagtopic and a rig_body for each camera"},
     ProgramName{kAirslam, "AirSLAM", "kalibr", "", "", "a YAML of its own"},

@@ -3,11 +3,17 @@
 #include "basalt.h"
 #include "colmap/colmap.h"
 #include "kalibr/kalibr.h"
+#include "kitti.h"
+#include "mast3r.h"
+#include "metashape.h"
+#include "ncore.h"
 #include "nerfstudio/nerfstudio.h"
 #include "ocamcalib/ocamcalib.h"
 #include "opencv/opencv.h"
+#include "opensfm.h"
 #include "openvins/openvins.h"
 #include "orbslam3/orbslam3.h"
+#include "rays.h"
 #include "ros/ros.h"
 #include "sensors/euroc.h"
 #include "sensors/kimera.h"
@@ -28,10 +34,13 @@ namespace {
 
 const auto& table() {
   static const std::array kTable = {
-      guarded<kalibr::kFormat>(),   guarded<opencv::kFormat>(),     guarded<ocamcalib::kFormat>(), guarded<tumvi::kFormat>(),
-      guarded<orbslam3::kFormat>(), guarded<woodscape::kFormat>(),  guarded<basalt::kFormat>(),    guarded<openvins::kFormat>(),
-      guarded<vins::kFormat>(),     guarded<ros::kFormat>(),        guarded<euroc::kFormat>(),     guarded<kimera::kFormat>(),
-      guarded<colmap::kFormat>(),   guarded<nerfstudio::kFormat>(),
+      guarded<kalibr::kFormat>(),  guarded<opencv::kFormat>(),     guarded<ocamcalib::kFormat>(),
+      guarded<tumvi::kFormat>(),   guarded<orbslam3::kFormat>(),   guarded<woodscape::kFormat>(),
+      guarded<basalt::kFormat>(),  guarded<openvins::kFormat>(),   guarded<vins::kFormat>(),
+      guarded<ros::kFormat>(),     guarded<euroc::kFormat>(),      guarded<kimera::kFormat>(),
+      guarded<colmap::kFormat>(),  guarded<nerfstudio::kFormat>(), guarded<mast3r::kFormat>(),
+      guarded<opensfm::kFormat>(), guarded<metashape::kFormat>(),  guarded<kitti::kFormat>(),
+      guarded<ncore::kFormat>(),   guarded<rays::kFormat>(),
   };
   return kTable;
 }

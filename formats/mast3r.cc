@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// MASt3R-SLAM's intrinsics.yaml (rmurai0610/MASt3R-SLAM, mast3r_slam/dataloader.py). Read only: the program takes OpenCV's
+// numbers in any file of these three keys.
+//
+//   width, height
+//   calibration     [fx, fy, cx, cy, k1, k2, p1, p2, k3, ...]: what follows the first four is what cv::initUndistortRectifyMap
+//                   takes, none, 4, 5, 8, 12 or 14 numbers, whatever the comment of the program's own file says
+#include "mast3r.h"
+
+#include "fields.h"
+
+#include <fca/code.h>
+#include <fca/formats/opencv_coefficients.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace fca::mast3r {
+
+using text::Node;
+
+namespace {
+
+constexpr text::Dialect kDialect = text::Dialect::kPyYaml;
+constexpr std::array<ParameterId, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
+
+/// A model of cv::projectPoints and how many coefficients say it.
+struct Length {
+  std::size_t count;
+  std::string_view model;
+};
+constexpr std::array kLengths = {Length{0, "pinhole"},
+                                 Length{4, "radtan"},
+                                 Length{kRadtanCount, "radtan"},
+                                 Length{kRationalCount, "rational"},
+                                 Length{kPrismCount, "opencv14"},
+                                 Length{kOpenCvCoefficients.size(), "opencv14"}};
+
+std::optional<Camera> read_camera(const text::Document& document, Diagnostics& diagnostics) {
+  fields::Reader reader(document, kDialect, diagnostics);
+  Camera camera;
+  camera.name = "cam0";
+  const Node& root = document.root();
+  if (!root.is_mapping()) {
+    diagnostics.add(Code::kTableWrongSyntax, {}, {document.source().name, 0, 0});
+    return std::nullopt;
+  }
+  const Node* width = reader.require(root, "width", camera.name);
+  const Node* height = reader.require(root, "height", camera.name);
+  const Node* list = reader.require(root, "calibration", camera.name);
+  if (width == nullptr || height == nullptr || list == nullptr) return std::nullopt;
+  camera.image_size = reader.image_size(*width, *height, "");
+  const std::optional<std::vector<double>> numbers = reader.reals(*list, 0, "calibration");
+  if (!camera.image_size || !numbers) return std::nullopt;
+  const auto length =
+      std::ranges::find(kLengths, numbers->size(), [](const Length& each) { return each.count + kFocalAndCentre.size(); });
+  if (length == kLengths.end()) {
+    std::vector<std::string> counts;
+    for (const Length& each : kLengths) counts.push_back(std::to_string(each.count + kFocalAndCentre.size()));
+    reader.say(*list, Code::kTableCoefficientCount, {"calibration", numbers->size(), counts, "it"});
+    return std::nullopt;
+  }
+  camera.model = make_model(length->model).value();
+  for (std::size_t i = 0; i < numbers->size(); ++i) {
+    const ParameterId id =
+        i < kFocalAndCentre.size() ? kFocalAndCentre.at(i) : kOpenCvCoefficients.at(i - kFocalAndCentre.size());
+    if (!reader.parameter(list->items[i], "calibration", id, camera.model)) return std::nullopt;
+  }
+  reader.warn_of_misspelt();
+  return camera;
+}
+
+std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& /*options*/, Diagnostics& diagnostics) {
+  Rig rig;
+  for (const text::Document& document : documents) {
+    std::optional<Camera> camera = read_camera(document, diagnostics);
+    if (!camera) return std::nullopt;
+    rig.cameras.push_back(*std::move(camera));
+  }
+  return rig;
+}
+
+ProbeResult probe(const text::Document& document) {
+  const Node* list = text::find(document.root(), "calibration", kDialect);
+  const bool has_size =
+      text::find(document.root(), "width", kDialect) != nullptr && text::find(document.root(), "height", kDialect) != nullptr;
+  if (list == nullptr || !list->is_sequence() || !has_size) return {};
+  return {evidence::kCamera, {Code::kFoundKeys, {std::vector<std::string>{"calibration", "width"}}}};
+}
+
+}  // namespace
+
+const Format kFormat = {
+    .id = "mast3r",
+    .title = "MASt3R-SLAM intrinsics",
+    .syntaxes = "YAML",
+    .extension = ".yaml",
+    .program = "MASt3R-SLAM",
+    .main_file = "intrinsics.yaml",
+    .many_cameras = false,
+    .extrinsics = false,
+    .imu = false,
+    .models = {},
+    .probe = probe,
+    .read = read,
+};
+
+}  // namespace fca::mast3r

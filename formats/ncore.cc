@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// NVIDIA NCore's cameras as JSON (NVIDIA/ncore@77144a9 of 2026-05-06: data/types.py, sensors/camera.py; gsplat's files of the
+// same kind). Read only.
+//
+//   <the camera's id>
+//     camera_model_type   ftheta, opencv-pinhole or opencv-fisheye
+//     resolution          [width, height]
+//     T_sensor_rig        4 x 4: for all its name T_vehicle_camera, the camera's place in the vehicle, by the numbers of real
+//     files intrinsics
+//       principal_point   ftheta: the centre of the top-left pixel is (0, 0); elsewhere it is (0.5, 0.5)
+//       focal_length, radial_coeffs, tangential_coeffs, thin_prism_coeffs    as OpenCV has them; forward_poly: radial_coeffs
+//       angle_to_pixeldist_poly, pixeldist_to_angle_poly    c0 + c1 x + ...: rad, px; reference_poly says which one counts, 1
+//       the
+//                         second and 2 the first: the other is near it
+//       linear_cde        pixel - principal point = [c d; e 1] r (cos, sin); all 0: [1, 0, 0]
+//       max_angle_rad     where the lens ends
+//     external_distortion   of a windshield, before the lens: not read
+//
+// An f-theta lens is a polynomial of six terms, which is no model here: it is read as a table of rays.
+#include "ncore.h"
+
+#include "fields.h"
+
+#include <fca/code.h>
+#include <fca/convert/ray_table.h>
+#include <fca/formats/opencv_coefficients.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace fca::ncore {
+
+using text::Node;
+
+namespace {
+
+constexpr text::Dialect kDialect = text::Dialect::kPyYaml;
+constexpr std::string_view kVehicle = "vehicle";
+
+using Numbers = std::vector<double>;
+
+/// c0 + c1 x + c2 x^2 + ...
+double value_at(const Numbers& polynomial, double x) {
+  double value = 0.0;
+  for (std::size_t i = polynomial.size(); i-- > 0;) value = value * x + polynomial[i];
+  return value;
+}
+
+/// The x of [0, largest] at which the polynomial has that value; nothing where it is not reached. It grows there.
+std::optional<double> inverse_at(const Numbers& polynomial, double value, double largest) {
+  constexpr int kHalvings = 60;
+  if (value_at(polynomial, 0.0) > value || value_at(polynomial, largest) < value) return std::nullopt;
+  double low = 0.0;
+  double high = largest;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (value_at(polynomial, middle) < value ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// From 0 to where the polynomial stops growing, but no further than that.
+double grows_until(const Numbers& polynomial, double largest) {
+  constexpr int kSteps = 4096;
+  for (int i = 1; i <= kSteps; ++i) {
+    if (!(value_at(polynomial, largest * i / kSteps) > value_at(polynomial, largest * (i - 1) / kSteps)))
+      return largest * (i - 1) / kSteps;
+  }
+  return largest;
+}
+
+/// An f-theta lens.
+struct Ftheta {
+  std::array<double, 2> centre{};
+  Numbers polynomial;
+  bool to_angle = false;  ///< The polynomial gives the angle of a distance, else the distance of an angle.
+  std::array<double, 3> cde = {1.0, 0.0, 0.0};
+  double max_angle_rad = 0.0;
+  double largest_px = 0.0;  ///< To which distance the polynomial grows.
+
+  [[nodiscard]] std::optional<Pixel> project(const Ray& ray) const {
+    const double angle = angle_from_axis(ray);
+    if (angle > max_angle_rad) return std::nullopt;
+    const std::optional<double> distance = to_angle ? inverse_at(polynomial, angle, largest_px) : value_at(polynomial, angle);
+    if (!distance) return std::nullopt;
+    const double sine = std::hypot(ray[0], ray[1]);
+    const double x = sine > 0.0 ? *distance * ray[0] / sine : 0.0;
+    const double y = sine > 0.0 ? *distance * ray[1] / sine : 0.0;
+    const auto& [c, d, e] = cde;
+    return Pixel{centre[0] + c * x + d * y, centre[1] + e * x + y};
+  }
+};
+
+/// The camera of one entry while it is read.
+class Reading {
+ public:
+  Reading(fields::Reader& reader, const Node& mapping, Rig& rig) : reader_(reader), mapping_(mapping), rig_(rig) {}
+
+  /// False with errors.
+  bool run(const std::string& name) {
+    camera_.name = name;
+    const Node* type = reader_.require(mapping_, "camera_model_type", name);
+    const Node* intrinsics = reader_.require(mapping_, "intrinsics", name);
+    if (type == nullptr || intrinsics == nullptr || !read_size()) return false;
+    intrinsics_ = intrinsics;
+    const std::string model = reader_.name(*type, label("camera_model_type"));
+    bool good = false;
+    if (model == "ftheta") {
+      good = read_ftheta();
+    } else if (model == "opencv-pinhole") {
+      good = read_pinhole();
+    } else if (model == "opencv-fisheye") {
+      good = read_fisheye();
+    } else {
+      reader_.say(*type, Code::kTableUnknownWord,
+                  {label("camera_model_type"), model, std::vector<std::string>{"ftheta", "opencv-pinhole", "opencv-fisheye"}});
+    }
+    if (!good || !read_pose()) return false;
+    if (const Node* glass = reader_.find(mapping_, "external_distortion"); glass != nullptr && glass->is_mapping())
+      rig_.extra_fields.push_back({name, "external_distortion", "{...}"});
+    rig_.cameras.push_back(std::move(camera_));
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::string label(std::string_view key) const { return camera_.name + " " + std::string(key); }
+
+  bool read_size() {
+    const Node* size = reader_.require(mapping_, "resolution", camera_.name);
+    if (size == nullptr) return false;
+    if (!size->is_sequence() || size->items.size() != 2) {
+      reader_.say(*size, Code::kTableNoSize, {camera_.name});
+      return false;
+    }
+    camera_.image_size = reader_.image_size(size->items[0], size->items[1], label("resolution "));
+    return camera_.image_size.has_value();
+  }
+
+  bool read_pose() {
+    const Node* pose = reader_.find(mapping_, "T_sensor_rig");
+    if (pose == nullptr) return true;
+    const std::optional<Transform> T = reader_.transform(*pose, label("T_sensor_rig"));
+    if (!T) return false;
+    rig_.add_frame(kVehicle, FrameKind::kVehicle);
+    rig_.poses.push_back({std::string(kVehicle), camera_.name, *T});
+    return true;
+  }
+
+  std::optional<Numbers> numbers(std::string_view key, std::size_t count) {
+    const Node* node = reader_.require(*intrinsics_, key, label("intrinsics"));
+    return node != nullptr ? reader_.reals(*node, count, label(key)) : std::nullopt;
+  }
+
+  /// One after the other, those of `ids`.
+  bool set_all(std::string_view key, const Numbers& values, std::span<const ParameterId> ids) {
+    const Node& list = *reader_.find(*intrinsics_, key);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (!reader_.parameter(list.items[i], label(key), ids[i], values[i], camera_.model)) return false;
+    }
+    return true;
+  }
+
+  bool read_focal_and_centre() {
+    constexpr std::array<ParameterId, 2> kFocal = {"fx", "fy"};
+    constexpr std::array<ParameterId, 2> kCentre = {"cx", "cy"};
+    const std::optional<Numbers> focal = numbers("focal_length", kFocal.size());
+    std::optional<Numbers> centre = numbers("principal_point", kCentre.size());
+    if (!focal || !centre) return false;
+    for (double& each : *centre) each -= 0.5;
+    return set_all("focal_length", *focal, kFocal) && set_all("principal_point", *centre, kCentre);
+  }
+
+  bool read_pinhole() {
+    const std::span<const ParameterId> of_opencv(kOpenCvCoefficients);
+    constexpr std::array<ParameterId, 6> kRadial = {"k1", "k2", "k3", "k4", "k5", "k6"};
+    constexpr std::array<ParameterId, 2> kTangential = {"p1", "p2"};
+    constexpr std::array<ParameterId, 4> kPrism = {"s1", "s2", "s3", "s4"};
+    camera_.model = make_model("opencv14").value();
+    const std::optional<Numbers> radial = numbers("radial_coeffs", kRadial.size());
+    const std::optional<Numbers> tangential = numbers("tangential_coeffs", kTangential.size());
+    const std::optional<Numbers> prism = numbers("thin_prism_coeffs", kPrism.size());
+    if (!radial || !tangential || !prism || !read_focal_and_centre() || !set_all("radial_coeffs", *radial, kRadial) ||
+        !set_all("tangential_coeffs", *tangential, kTangential) || !set_all("thin_prism_coeffs", *prism, kPrism))
+      return false;
+    camera_.model = simplest(camera_.model, of_opencv);
+    return true;
+  }
+
+  /// The same lens as the first model of cv::projectPoints that holds its coefficients.
+  static CameraModel simplest(const CameraModel& model, std::span<const ParameterId> coefficients) {
+    const auto is_zero = [&model](ParameterId id) { return parameter(model, id) == 0.0; };
+    for (const std::string_view id : {"pinhole", "radtan", "rational"}) {
+      if (!std::ranges::all_of(coefficients.subspan(opencv_count(id)), is_zero)) continue;
+      CameraModel simple = make_model(id).value();
+      for (const Parameter& row : model_info(simple).parameters)
+        set_parameter(simple, ParameterId(row), parameter(model, ParameterId(row)).value());
+      return simple;
+    }
+    return model;
+  }
+
+  bool read_fisheye() {
+    camera_.model = make_model("kb4").value();
+    const std::string_view key = reader_.find(*intrinsics_, "radial_coeffs") != nullptr ? "radial_coeffs" : "forward_poly";
+    const std::optional<Numbers> radial = numbers(key, kFisheyeCoefficients.size());
+    return radial && read_focal_and_centre() && set_all(key, *radial, kFisheyeCoefficients);
+  }
+
+  bool read_ftheta() {
+    constexpr std::string_view kToDistance = "angle_to_pixeldist_poly";
+    constexpr std::string_view kToAngle = "pixeldist_to_angle_poly";
+    Ftheta lens;
+    const Node* reference = reader_.require(*intrinsics_, "reference_poly", label("intrinsics"));
+    const std::string which = reference != nullptr ? reader_.name(*reference, label("reference_poly")) : "";
+    lens.to_angle = which == "1" || which == "PIXELDIST_TO_ANGLE";
+    if (reference == nullptr) return false;
+    if (!lens.to_angle && which != "2" && which != "ANGLE_TO_PIXELDIST") {
+      reader_.say(*reference, Code::kTableUnknownWord, {label("reference_poly"), which, std::vector<std::string>{"1", "2"}});
+      return false;
+    }
+    const std::string_view key = lens.to_angle ? kToAngle : kToDistance;
+    std::optional<Numbers> polynomial = numbers(key, 0);
+    const std::optional<Numbers> centre = numbers("principal_point", lens.centre.size());
+    const std::optional<Numbers> angle = max_angle();
+    if (!polynomial || !centre || !angle || !read_linear(lens)) return false;
+    lens.polynomial = *std::move(polynomial);
+    std::ranges::copy(*centre, lens.centre.begin());
+    lens.max_angle_rad = std::min(angle->front(), std::numbers::pi);
+    if (lens.to_angle) {
+      const auto [width, height] = *camera_.image_size;
+      lens.largest_px = grows_until(lens.polynomial, 2.0 * std::hypot(width, height));
+    }
+    std::optional<Camera> table = measured(
+        camera_, [&lens](const Ray& ray) { return lens.project(ray); }, lens.max_angle_rad);
+    if (!table) {
+      reader_.say(*reader_.find(*intrinsics_, key), Code::kRaysWithoutCentre);
+      return false;
+    }
+    camera_ = *std::move(table);
+    return true;
+  }
+
+  std::optional<Numbers> max_angle() {
+    for (const std::string_view key : {"max_angle", "max_angle_rad"}) {
+      const Node* node = reader_.find(*intrinsics_, key);
+      const std::optional<double> angle = node != nullptr ? reader_.positive(*node, label(key)) : std::nullopt;
+      if (node != nullptr) return angle ? std::optional(Numbers{*angle}) : std::nullopt;
+    }
+    reader_.say(*intrinsics_, Code::kKeyMissing, {label("intrinsics"), "max_angle"});
+    return std::nullopt;
+  }
+
+  bool read_linear(Ftheta& lens) {
+    const Node* node = reader_.find(*intrinsics_, "linear_cde");
+    if (node == nullptr) return true;
+    const std::optional<Numbers> cde = reader_.reals(*node, lens.cde.size(), label("linear_cde"));
+    if (!cde) return false;
+    if (std::ranges::any_of(*cde, [](double each) { return each != 0.0; })) std::ranges::copy(*cde, lens.cde.begin());
+    return true;
+  }
+
+  fields::Reader& reader_;
+  const Node& mapping_;
+  Rig& rig_;
+  const Node* intrinsics_ = nullptr;
+  Camera camera_;
+};
+
+std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& /*options*/, Diagnostics& diagnostics) {
+  Rig rig;
+  for (const text::Document& document : documents) {
+    if (!document.root().is_mapping()) {
+      diagnostics.add(Code::kTableWrongSyntax, {}, {document.source().name, 0, 0});
+      return std::nullopt;
+    }
+    fields::Reader reader(document, kDialect, diagnostics);
+    for (const text::Entry& entry : document.root().entries) {
+      const std::string name = reader.name(entry.key, entry.key.value);
+      if (!entry.value.is_mapping()) {
+        reader.say(entry.value, Code::kTableNoObject, {name});
+        return std::nullopt;
+      }
+      if (!Reading(reader, entry.value, rig).run(name)) return std::nullopt;
+    }
+    reader.warn_of_misspelt();
+  }
+  return rig;
+}
+
+ProbeResult probe(const text::Document& document) {
+  const Node& root = document.root();
+  if (!root.is_mapping() || root.entries.empty() || !root.entries.front().value.is_mapping()) return {};
+  const Node& first = root.entries.front().value;
+  for (const std::string_view key : {"camera_model_type", "T_sensor_rig", "shutter_type"}) {
+    if (text::find(first, key, kDialect) == nullptr || text::find(first, "intrinsics", kDialect) == nullptr) continue;
+    return {evidence::kCamera, {Code::kFoundKeys, {std::vector<std::string>{std::string(key), "intrinsics"}}}};
+  }
+  return {};
+}
+
+}  // namespace
+
+const Format kFormat = {
+    .id = "ncore",
+    .title = "NVIDIA NCore cameras (f-theta)",
+    .group = FormatGroup::kDatasets,
+    .syntaxes = "JSON",
+    .extension = ".json",
+    .program = "NCore",
+    .imu = false,
+    .frame = kVehicle,
+    .models = {},
+    .probe = probe,
+    .read = read,
+};
+
+}  // namespace fca::ncore
