@@ -3,7 +3,8 @@
 //
 //   calib_cam_to_cam.txt (KITTI raw), perspective.txt (KITTI-360): of each camera nn
 //     S_nn: w h   K_nn: 9   D_nn: k1 k2 p1 p2 k3   R_nn: 9   T_nn: 3     as recorded; p_nn = R p_00 + T [m]
-//     S_rect_nn, R_rect_nn, P_rect_nn                                    of the rectified images: kept
+//     S_rect_nn, R_rect_nn, P_rect_nn                                    of the rectified images: kept; read where K_nn is
+//     missing
 //   calib.txt (KITTI odometry)
 //     P0: 12 ... P3: 12     P = K [1 | t], p_n = p_0 + t [m]: rectified cameras, whose size is in no file
 //     Tr: 12                T_cam0_lidar: kept
@@ -127,12 +128,25 @@ void keep(Lines& lines, const std::string& key, const std::string& owner, Rig& r
   rig.extra_fields.push_back({owner, key, value + "]"});
 }
 
+/// It is spelled as a real number: 1.392000e+03. False with errors.
+bool read_size(Lines& lines, const std::string& key, const ReadOptions& options, Camera& camera) {
+  camera.image_size = options.image_size;
+  if (!lines.has(key)) return true;
+  const std::optional<Numbers> size = lines.numbers(key, 2);
+  if (!size) return false;
+  constexpr double kMost = 1e6;
+  const bool fits = std::ranges::all_of(*size, [](double side) { return side >= 1.0 && side <= kMost; });
+  camera.image_size = fits ? ImageSize{static_cast<int>((*size)[0]), static_cast<int>((*size)[1])} : ImageSize{};
+  const Message problem = problem_with_image_size(*camera.image_size);
+  if (problem.is_said()) lines.reader().say(lines.word(key, 0), Code::kNotACamera, {key, problem});
+  return !problem.is_said();
+}
+
 /// A camera as recorded. False with errors.
 bool read_recorded(Lines& lines, const std::string& number, const ReadOptions& options, Rig& rig) {
   Camera camera;
   camera.name = "image_" + number;
   camera.model = make_model("radtan").value();
-  const std::string size_key = "S_" + number;
   const std::optional<Numbers> K = lines.numbers("K_" + number, 9);
   const std::optional<Numbers> D = lines.numbers("D_" + number, kRadtanCount);
   if (!K || !D || !set_pinhole(lines, "K_" + number, 3, *K, camera.model)) return false;
@@ -141,17 +155,7 @@ bool read_recorded(Lines& lines, const std::string& number, const ReadOptions& o
                                   camera.model))
       return false;
   }
-  camera.image_size = options.image_size;
-  if (lines.has(size_key)) {
-    // It is spelled as a real number: 1.392000e+03.
-    const std::optional<Numbers> size = lines.numbers(size_key, 2);
-    if (!size) return false;
-    camera.image_size = ImageSize{static_cast<int>((*size)[0]), static_cast<int>((*size)[1])};
-    if (const Message problem = problem_with_image_size(*camera.image_size); problem.is_said()) {
-      lines.reader().say(lines.word(size_key, 0), Code::kNotACamera, {size_key, problem});
-      return false;
-    }
-  }
+  if (!read_size(lines, "S_" + number, options, camera)) return false;
   if (lines.has("R_" + number) && number != "00") {
     const std::optional<Numbers> R = lines.numbers("R_" + number, 9);
     const std::optional<Numbers> t = lines.numbers("T_" + number, 3);
@@ -168,21 +172,19 @@ bool read_recorded(Lines& lines, const std::string& number, const ReadOptions& o
   return true;
 }
 
-/// A rectified camera of KITTI odometry. False with errors.
-bool read_rectified(Lines& lines, const std::string& key, const ReadOptions& options, Rig& rig) {
+/// A rectified camera: its projection matrix, and the key of its size. False with errors.
+bool read_rectified(Lines& lines, const std::string& key, const Camera& named, const std::string& first, Rig& rig) {
   const std::optional<Numbers> P = lines.numbers(key, 12);
-  Camera camera;
-  camera.name = key;
-  camera.image_size = options.image_size;
+  Camera camera = named;
   camera.model = make_model("pinhole").value();
   if (!P || !set_pinhole(lines, key, 4, *P, camera.model)) return false;
-  if (key != "P0") {
+  if (camera.name != first) {
     const double z = (*P)[11];
     const Numbers t = {((*P)[3] - (*P)[2] * z) / (*P)[0], ((*P)[7] - (*P)[6] * z) / (*P)[5], z};
     constexpr std::array kIdentity = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
     const std::optional<Transform> T = lines.reader().checked(transform_of(kIdentity, t), *lines.all().at(key).value, key);
     if (!T) return false;
-    rig.poses.push_back({camera.name, "P0", *T});
+    rig.poses.push_back({camera.name, first, *T});
   }
   rig.cameras.push_back(std::move(camera));
   return true;
@@ -205,12 +207,23 @@ bool read_pose(Lines& lines, const std::string& key, Rig& rig) {
 
 bool is_recorded(const std::string& key) { return key.size() == 4 && key.starts_with("K_"); }
 bool is_rectified(const std::string& key) { return key.size() == 2 && key[0] == 'P' && key[1] >= '0' && key[1] <= '9'; }
+bool is_rectified_alone(const Lines& lines, const std::string& key) {
+  return key.size() == 9 && key.starts_with("P_rect_") && !lines.has("K_" + key.substr(7));
+}
 bool is_pose(const std::string& key) { return key.size() == 8 && key.starts_with("image_"); }
 
 bool read_lines(Lines& lines, const ReadOptions& options, Rig& rig) {
   for (const auto& [key, line] : lines.all()) {
     if (is_recorded(key) && !read_recorded(lines, key.substr(2), options, rig)) return false;
-    if (is_rectified(key) && !read_rectified(lines, key, options, rig)) return false;
+    Camera camera;
+    camera.name = key;
+    camera.image_size = options.image_size;
+    if (is_rectified(key) && !read_rectified(lines, key, camera, "P0", rig)) return false;
+    if (is_rectified_alone(lines, key)) {
+      camera.name = "image_" + key.substr(7);
+      if (!read_size(lines, "S_rect_" + key.substr(7), options, camera)) return false;
+      if (!read_rectified(lines, key, camera, "image_00", rig)) return false;
+    }
     if (is_pose(key) && !read_pose(lines, key, rig)) return false;
     if (key == "Tr" || key == "Tr_velo_to_cam" || key == "Tr_imu_to_velo") keep(lines, key, "", rig);
   }
@@ -236,7 +249,8 @@ ProbeResult probe(const text::Document& document) {
   const Lines lines(document, ignored);
   const auto found = [](const std::string& key) { return Message{Code::kFoundKeys, {std::vector<std::string>{key}}}; };
   for (const auto& [key, line] : lines.all()) {
-    if (is_recorded(key) || (is_rectified(key) && line.words.size() == 12)) return {evidence::kCamera, found(key)};
+    const bool is_matrix = is_rectified(key) || is_rectified_alone(lines, key);
+    if (is_recorded(key) || (is_matrix && line.words.size() == 12)) return {evidence::kCamera, found(key)};
     if (is_pose(key) && line.words.size() == 12) return {evidence::kPart, found(key)};
   }
   return {};

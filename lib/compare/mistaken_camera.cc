@@ -49,6 +49,16 @@ void add_exchanged_centre(const CameraModel& other, Candidates& candidates) {
   candidates.push_back({Code::kCentreSwapped, with_pixels(other, {{1.0, 1.0}, {difference, -difference}})});
 }
 
+/// Programs that count from the middle of the image do so to the right and down, or up.
+void add_mirrored_centre(const Camera& other, Candidates& candidates) {
+  if (!other.image_size) return;
+  const Pixel centre = principal_point(other.model);
+  const double right = other.image_size->width - 1.0 - 2.0 * centre[0];
+  const double down = other.image_size->height - 1.0 - 2.0 * centre[1];
+  candidates.push_back({Code::kCentreMirrored, with_pixels(other.model, {{1.0, 1.0}, {right, 0.0}}), {"cx"}});
+  candidates.push_back({Code::kCentreMirrored, with_pixels(other.model, {{1.0, 1.0}, {0.0, down}}), {"cy"}});
+}
+
 void add_scales(const CameraModel& other, double scale, Candidates& candidates) {
   const auto scaled_by = [&other](double factor) {
     const double shift = 0.5 * (factor - 1.0);
@@ -155,6 +165,7 @@ std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, 
   Candidates candidates;
   add_shifts(other.model, scale, candidates);
   add_exchanged_centre(other.model, candidates);
+  add_mirrored_centre(other, candidates);
   add_scales(other.model, scale, candidates);
   add_other_orders(other.model, candidates);
   add_other_name(reference.model, other.model, candidates);

@@ -70,6 +70,8 @@ std::span<const CodeInfo> comparison_codes() {
             "{0} has its principal point one pixel too far to the upper left: 1 was subtracted once too often"),
       error(Code::kScaledWithoutHalfPixel, "scaled-without-half-pixel",
             "{0} was scaled from the larger or smaller image as cx s; pixels are areas: (cx + 0.5) s - 0.5"),
+      error(Code::kCentreMirrored, "centre-mirrored",
+            "{0} has {1} on the other side of the image's middle: its offset from there has the other sign"),
       error(Code::kCentreSwapped, "centre-swapped", "{0} has row and column of its principal point exchanged"),
       error(Code::kOfImagesTwiceThatSize, kResolution, "{0} holds the numbers of images twice that size"),
       error(Code::kOfImagesHalfThatSize, kResolution, "{0} holds the numbers of images half that size"),

@@ -70,14 +70,9 @@ std::span<const CodeInfo> file_codes() {
       error(Code::kLooksLikeMrcal, kUnknown, "looks like mrcal's camera model ({0} and {1}), which fca-io does not read",
             "write it as an OpenCV file: an OPENCV model's intrinsics are fx fy cx cy and OpenCV's coefficients; extrinsics "
             "are T_cam_reference"),
-      error(Code::kLooksLikeMast3r, kUnknown, "looks like MASt3R-SLAM's intrinsics ({0} and {1}), which fca-io does not read",
-            "write them as an OpenCV file: calibration is fx fy cx cy and OpenCV's coefficients"),
       error(Code::kLooksLikeCuvslamRig, kUnknown,
             "looks like a rig of cuVSLAM's examples ({0} and {1}), and no camera in it has what these read",
             "transform, three rows of four numbers, in left_camera and right_camera; or focal_length in rgb_camera"),
-      error(Code::kLooksLikeNcore, kUnknown, "looks like an NCore camera ({0} and {1}), which fca-io does not read",
-            "write its opencv-fisheye or opencv-pinhole as an OpenCV file: T_sensor_rig is T_rig_camera; the pinhole's "
-            "principal point counts from the image's corner (subtract 0.5)"),
       error(Code::kLooksLikeDepthai, kUnknown,
             "looks like the EEPROM of a DepthAI device ({0} and {1}), which fca-io does not read",
             "write it as an OpenCV file: distortionCoeff has OpenCV's order, of a fisheye its first four count; extrinsics are "
@@ -97,13 +92,6 @@ std::span<const CodeInfo> file_codes() {
             "radial_distortion_1 to 4"),
       error(Code::kLooksLikeTheia, kUnknown, "looks like Theia's priors of images ({0} and {1}), which fca-io does not read",
             "write the lens as an OpenCV file: fy is focal_length times aspect_ratio"),
-      error(Code::kLooksLikeMetashape, kUnknown, "looks like Metashape's cameras ({0} and {1}), which fca-io does not read",
-            "write the lens as an OpenCV file: cx and cy count from the image's middle; p1 and p2 are exchanged"),
-      error(
-          Code::kLooksLikeOpenSfm, kUnknown, "looks like OpenSfM's cameras ({0} and {1}), which fca-io does not read",
-          "write the lens as an OpenCV file: lengths are shares of the longer side; c_x and c_y count from the image's middle"),
-      error(Code::kLooksLikeKitti, kUnknown, "looks like KITTI's calibration ({0} and {1}), which fca-io does not read",
-            "write S, K and D of a camera as ROS camera_info; the matrices P are of rectified images"),
       error(Code::kLooksLikePyOcamCalib, kUnknown, "looks like py-OCamCalib's JSON ({0} and {1}), which fca-io does not read",
             "write it as a calib_results.txt: its Taylor coefficients are OCamCalib's direct polynomial"),
       error(

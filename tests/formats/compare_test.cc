@@ -318,6 +318,16 @@ const std::vector<Plant>& plants() {
       {"half-pixel", 3, [](Rig& rig) { return shift_centre(rig, 0.5); }},
       {"half-pixel", 3, [](Rig& rig) { return shift_centre(rig, -0.5); }},
       {"one-pixel", 3, [](Rig& rig) { return shift_centre(rig, 1.0); }},
+      {"centre-mirrored", 3,
+       [](Rig& rig) {
+         bool any = false;
+         for (Camera& camera : rig.cameras) {
+           const double down = camera.image_size->height - 1.0 - 2.0 * principal_point(camera.model)[1];
+           camera.model = with_pixels(camera.model, {{1.0, 1.0}, {0.0, down}});
+           any = any || std::abs(down) > 3.0;
+         }
+         return any;
+       }},
       {"centre-swapped", 3,
        [](Rig& rig) {
          bool any = false;

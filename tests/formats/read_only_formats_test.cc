@@ -320,5 +320,18 @@ TEST(Kitti, RectifiedCamerasOfOdometry) {
             Code::kNumbersWanted);
 }
 
+TEST(Kitti, RectifiedCamerasWithoutTheRecordedOnes) {
+  const std::string text =
+      "S_rect_00: 1.408000e+03 3.760000e+02\nR_rect_00: 1 0 0 0 1 0 0 0 1\n"
+      "P_rect_00: 552.55 0 682.05 0 0 552.55 238.77 0 0 0 1 0\nP_rect_01: 552.55 0 682.05 -328.3 0 552.55 238.77 0 0 0 1 0\n";
+  const Outcome outcome = read("perspective.txt", text, "kitti");
+  ASSERT_TRUE(outcome.calibration);
+  EXPECT_EQ(outcome.camera("image_00").image_size, (ImageSize{1408, 376}));
+  EXPECT_EQ(outcome.camera("image_01").image_size, std::nullopt);
+  const std::optional<Transform> T = outcome.calibration->rig.resolve("image_01", "image_00");
+  ASSERT_TRUE(T);
+  EXPECT_NEAR((*T)(0, 3), -328.3 / 552.55, 1e-12);
+}
+
 }  // namespace
 }  // namespace fca::test
