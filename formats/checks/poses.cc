@@ -9,6 +9,7 @@
 #include <fca/rig/stereo_order.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fca::checks {
@@ -62,7 +63,8 @@ void report(const Subject& subject, const Contradiction& contradiction, Findings
   const Code mistake = contradiction.mistake;
   const Severity severity = contradiction.severity;
   const PoseEdge& edge = subject.rig().poses[loop.edge];
-  const bool of_translation = mistake == Code::kPoseInMillimetres || mistake == Code::kPoseInKilometres;
+  constexpr std::array kOfTranslation = {Code::kPoseInMillimetres, Code::kPoseInCentimetres, Code::kPoseInKilometres};
+  const bool of_translation = std::ranges::find(kOfTranslation, mistake) != kOfTranslation.end();
   const SourceRange where =
       of_translation ? subject.places.pose(loop.edge, longest_row(edge.T_a_b), 3) : subject.places.pose(loop.edge, 0, 0);
   if (mistake != Code::kNone) {
@@ -203,8 +205,9 @@ bool check_distances(const Subject& subject, Findings& findings) {
     const Transform& T = rig.poses[i].T_a_b;
     if (!too_far(subject, distance_of(T), rig.poses[i].a)) continue;
     const double metres = distance_of(T);
-    say_distance(metres, Code::kTranslationInMillimetres, {metres, name_of(rig.poses[i])},
-                 subject.places.pose(i, longest_row(T), 3), findings);
+    constexpr double kShortestInMm = 20.0;  // of the distances between cameras; shorter numbers are rather centimetres
+    say_distance(metres, metres < kShortestInMm ? Code::kTranslationInCentimetres : Code::kTranslationInMillimetres,
+                 {metres, name_of(rig.poses[i])}, subject.places.pose(i, longest_row(T), 3), findings);
   }
   if (rig.baseline_m && too_far(subject, *rig.baseline_m) && !name_bf(subject, findings))
     say_distance(*rig.baseline_m, Code::kBaselineTooLong, {*rig.baseline_m}, subject.places.baseline(), findings);

@@ -49,6 +49,8 @@ std::span<const CodeInfo> comparison_codes() {
                         "write the rotation's columns as rows")),
       about_poses(error(Code::kPoseInMillimetres, kMillimetres, "{0} has its translation in millimetres",
                         "divide the translation by 1000")),
+      about_poses(error(Code::kPoseInCentimetres, kMillimetres, "{0} has its translation in centimetres",
+                        "divide the translation by 100")),
       about_poses(error(Code::kPoseInKilometres, kMillimetres, "{0} has its translation 1000 times too small",
                         "multiply the translation by 1000")),
       error(Code::kPoseInverted, kInverted, "{0} is the inverse of what it should be: it holds {1}"),

@@ -186,18 +186,21 @@ std::vector<Contradiction> made_in_all(const std::vector<std::size_t>& edges, co
   return std::ranges::all_of(pose_loops(meant), is_closed) ? found : std::vector<Contradiction>();
 }
 
-/// Translations of which no other explanation is needed: they are too long for metres, and in millimetres all poses agree.
-std::vector<Contradiction> in_millimetres(const Rig& rig, const std::vector<Suspect>& suspects) {
+/// Translations of which no other explanation is needed: they are too long for metres, and in a smaller unit all poses agree.
+std::vector<Contradiction> in_smaller_unit(const Rig& rig, const std::vector<Suspect>& suspects) {
   std::vector<std::size_t> edges;
   for (std::size_t i = 0; i < rig.poses.size(); ++i) {
     if (is_too_long(distance_of(rig.poses[i].T_a_b), rig.poses[i].a, rig)) edges.push_back(i);
   }
   if (edges.empty() || edges.size() == rig.poses.size()) return {};
-  const auto mistake = std::ranges::find(pose_slips(), Code::kPoseInMillimetres, &PoseSlip::code);
   const auto is_closed = [](const PoseLoop& loop) { return !loop.difference.contradicts(); };
-  std::vector<Contradiction> found = made_in_all(edges, *mistake, rig, is_closed);
-  if (found.size() == 1) found.front().blame = blame_of(edges.front(), suspects, rig);
-  return found;
+  for (const Code unit : {Code::kPoseInMillimetres, Code::kPoseInCentimetres}) {
+    const auto mistake = std::ranges::find(pose_slips(), unit, &PoseSlip::code);
+    std::vector<Contradiction> found = made_in_all(edges, *mistake, rig, is_closed);
+    if (found.size() == 1) found.front().blame = blame_of(edges.front(), suspects, rig);
+    if (!found.empty()) return found;
+  }
+  return {};
 }
 
 /// The mistake of all poses to an IMU: who writes one the wrong way round writes each of them so. One alone is the simpler
@@ -236,7 +239,7 @@ std::vector<Contradiction> contradictions(const Rig& rig) {
     return found;
   }
   const std::vector<Suspect> suspects = suspects_in(rig, loops);
-  found = in_millimetres(rig, suspects);
+  found = in_smaller_unit(rig, suspects);
   if (found.empty()) found = in_all_of_imu(rig, suspects);
   return found.empty() ? one_by_one(rig, loops) : found;
 }

@@ -30,6 +30,7 @@ constexpr std::array kSlips = {
     PoseSlip{Code::kPoseHoldsInverse, [](const Transform& T) { return inverse(T); }},
     PoseSlip{Code::kPoseTransposed, &transposed},
     PoseSlip{Code::kPoseInMillimetres, [](const Transform& T) { return scaled(T, 1e-3); }},
+    PoseSlip{Code::kPoseInCentimetres, [](const Transform& T) { return scaled(T, 1e-2); }},
     PoseSlip{Code::kPoseInKilometres, [](const Transform& T) { return scaled(T, 1e3); }},
 };
 

@@ -299,6 +299,8 @@ const std::vector<Plant>& plants() {
        [](Rig& rig) { return change_pose(rig, [](const Transform& T) { return std::optional(scaled(T, 1000.0)); }); }},
       {"translation-in-mm", 3,
        [](Rig& rig) { return change_pose(rig, [](const Transform& T) { return std::optional(scaled(T, 0.001)); }); }},
+      {"translation-in-mm", 3,
+       [](Rig& rig) { return change_pose(rig, [](const Transform& T) { return std::optional(scaled(T, 100.0)); }); }},
       {"time-offset-sign", 3,
        [](Rig& rig) {
          bool any = false;
