@@ -35,9 +35,10 @@ Message content_of(const Node& node) {
   return {};
 }
 
-/// "017": the programs that read it as a number at all take it for octal, fifteen. Not scanf, by which words are read.
+/// "017": the programs that read it as a number at all take it for octal, fifteen. Not scanf, by which words are read, and
+/// Python has 0 only.
 std::optional<int> octal(const Node& node, text::Syntax syntax) {
-  if (syntax == text::Syntax::kWords || syntax == text::Syntax::kBinary) return std::nullopt;
+  if (syntax == text::Syntax::kWords || syntax == text::Syntax::kBinary || syntax == text::Syntax::kPython) return std::nullopt;
   std::string_view text = node.value;
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);

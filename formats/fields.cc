@@ -213,7 +213,7 @@ void replace_value(text::Document& document, const Node& mapping, const text::En
   std::string indentation(document.indentation_at(entry.key.span.offset));
   if (document.syntax() == text::Syntax::kXml) {
     span = document.extent(entry);
-  } else if (document.syntax() != text::Syntax::kJson) {
+  } else if (!text::is_in_brackets(document.syntax())) {
     const std::size_t colon = source.bytes.find(':', entry.key.span.end());
     const std::size_t start = colon == std::string::npos ? entry.key.span.end() : colon + 1;
     span = {start, std::max(start, entry.value.span.end()) - start};

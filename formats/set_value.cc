@@ -23,7 +23,8 @@ using text::Node;
 using text::ScalarType;
 
 text::Dialect dialect_of(const text::Document& document) {
-  return document.syntax() == text::Syntax::kYaml ? text::Dialect::kPyYaml : text::Dialect::kOpenCv;
+  const bool last_counts = document.syntax() == text::Syntax::kYaml || document.syntax() == text::Syntax::kPython;
+  return last_counts ? text::Dialect::kPyYaml : text::Dialect::kOpenCv;
 }
 
 /// The entry of a key such as "cam0/rostopic"; null if there is none.

@@ -60,6 +60,27 @@ std::string json_string(std::string_view value) {
   return text + '"';
 }
 
+/// In single quotes, as Python itself prints it and mrcal's files have it.
+std::string python_string(std::string_view value) {
+  std::string text = "'";
+  for (const char c : value) {
+    if (c == '\'' || c == '\\') text += '\\';
+    if (is_control(c)) {
+      text += "\\x";
+      text += kHex[static_cast<unsigned char>(c) >> 4];
+      text += kHex[static_cast<unsigned char>(c) & 0xF];
+    } else {
+      text += c;
+    }
+  }
+  return text + '\'';
+}
+
+/// A text in the syntax's quotes, of those that have brackets around everything.
+std::string string_in(std::string_view value, Syntax syntax) {
+  return syntax == Syntax::kPython ? python_string(value) : json_string(value);
+}
+
 /// cv::FileStorage wants entities for all five, quotes or not (4.6, persistence_xml.cpp).
 std::string xml_string(std::string_view value) {
   constexpr std::pair<char, std::string_view> kEntities[] = {
@@ -151,24 +172,25 @@ std::string yaml_flow_value(const Field& field, Syntax syntax) {
   return "";
 }
 
-std::string json_value(const Field& field, const Style& style) {
+/// JSON's and Python's.
+std::string value_in_brackets(const Field& field, Syntax syntax, const Style& style) {
   const bool one_line = style.one_line;
-  const Syntax json = Syntax::kJson;
   switch (field.shape) {
     case Shape::kScalar:
-      return spell_token(field.tokens.front(), json);
+      return spell_token(field.tokens.front(), syntax);
     case Shape::kList:
-      return "[" + joined(field.tokens, json) + "]";
+      return "[" + joined(field.tokens, syntax) + "]";
     case Shape::kRows:
-      if (one_line) return "[" + in_rows(field, json, ", ", in_brackets) + "]";
-      return "[\n    " + in_rows(field, json, ",\n    ", in_brackets) + "\n]";
+      if (one_line) return "[" + in_rows(field, syntax, ", ", in_brackets) + "]";
+      return "[\n    " + in_rows(field, syntax, ",\n    ", in_brackets) + "\n]";
     case Shape::kMatrix: {
       const std::string line = one_line ? " " : break_before_key(style, 4);
       const std::string next = "," + line;
-      return std::string("{") + (one_line ? "" : line) + "\"type_id\": \"opencv-matrix\"" + next +
-             "\"rows\": " + row_count(field) + next + "\"cols\": " + std::to_string(field.columns) + next +
-             "\"dt\": " + json_string(field.element_type) + next + "\"data\": [" +
-             in_rows(field, json, one_line ? ", " : next + "         ", as_is) + "]" + (one_line ? "}" : "\n}");
+      const auto key = [syntax](std::string_view name) { return string_in(name, syntax) + ": "; };
+      return std::string("{") + (one_line ? "" : line) + key("type_id") + string_in("opencv-matrix", syntax) + next +
+             key("rows") + row_count(field) + next + key("cols") + std::to_string(field.columns) + next + key("dt") +
+             string_in(field.element_type, syntax) + next + key("data") + "[" +
+             in_rows(field, syntax, one_line ? ", " : next + "         ", as_is) + "]" + (one_line ? "}" : "\n}");
     }
   }
   return "";
@@ -217,11 +239,13 @@ std::string quote(std::string_view value) {
 }
 
 std::string spell_token(const std::string& token, Syntax syntax) {
-  if (syntax == Syntax::kJson) {
-    if (token == "true" || token == "false" || is_number(token)) return token;
-    // JSON knows no other number.
-    if (text::parse_real(token)) return "null";
-    return json_string(text_of(token));
+  if (text::is_in_brackets(syntax)) {
+    const bool is_python = syntax == Syntax::kPython;
+    if (token == "true" || token == "false") return is_python ? (token == "true" ? "True" : "False") : token;
+    if (is_number(token)) return token;
+    // Neither knows another number.
+    if (text::parse_real(token)) return is_python ? "None" : "null";
+    return string_in(text_of(token), syntax);
   }
   if (syntax == Syntax::kXml) {
     const bool plain = !token.starts_with('"') && (text::parse_real(token) || is_plain_word(token));
@@ -236,7 +260,8 @@ std::string spell_value(const Field& field, Syntax syntax, const Style& style) {
     case Syntax::kOpenCvYaml:
       return style.one_line ? yaml_flow_value(field, syntax) : yaml_value(field, syntax, style);
     case Syntax::kJson:
-      return json_value(field, style);
+    case Syntax::kPython:
+      return value_in_brackets(field, syntax, style);
     case Syntax::kXml:
       return xml_element(field, style);
     case Syntax::kWords:
@@ -249,7 +274,7 @@ std::string spell_value(const Field& field, Syntax syntax, const Style& style) {
 std::string spell_entry(const Field& field, Syntax syntax, const Style& style) {
   const std::string value = spell_value(field, syntax, style);
   if (is_yaml(syntax)) return field.key + ":" + value;
-  return syntax == Syntax::kJson ? json_string(field.key) + ": " + value : value;
+  return text::is_in_brackets(syntax) ? string_in(field.key, syntax) + ": " + value : value;
 }
 
 bool says(const Node& node, const std::string& token, Syntax syntax) {
@@ -259,9 +284,9 @@ bool says(const Node& node, const std::string& token, Syntax syntax) {
     if (token_quoted) return node.quoted && quote(node.value) == token;
     if (node.quoted) return false;
   } else {
-    // A text is one by its quotes in JSON; in XML a word is one without them.
+    // A text is one by its quotes in JSON and Python; in XML a word is one without them.
     const bool text_wanted = token_quoted || (!text::parse_real(token) && token != "true" && token != "false");
-    const bool text_there = node.quoted || (syntax != Syntax::kJson && !text::parse_real(node.value));
+    const bool text_there = node.quoted || (!text::is_in_brackets(syntax) && !text::parse_real(node.value));
     if (text_wanted || text_there) return text_wanted == text_there && node.value == text_of(token);
   }
   if (node.value == token) return true;

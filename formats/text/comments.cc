@@ -18,7 +18,7 @@ void collect_scalars(const Node& node, std::vector<Span>& spans) {
   }
 }
 
-/// A '#' behind a blank, outside of all scalars.
+/// A '#' behind a blank (in Python behind anything), outside of all scalars.
 std::vector<Span> hash_comments(const Document& document) {
   const std::string& bytes = document.source().bytes;
   std::vector<Span> scalars;
@@ -30,7 +30,8 @@ std::vector<Span> hash_comments(const Document& document) {
   };
   std::vector<Span> comments;
   for (std::size_t hash = bytes.find('#'); hash != std::string::npos; hash = bytes.find('#', hash + 1)) {
-    const bool begins = hash == 0 || std::string_view(" \t\n").find(bytes[hash - 1]) != std::string_view::npos;
+    const bool begins = hash == 0 || document.syntax() == Syntax::kPython ||
+                        std::string_view(" \t\n").find(bytes[hash - 1]) != std::string_view::npos;
     if (!begins || in_scalar(hash)) continue;
     std::size_t end = std::min(bytes.find('\n', hash), bytes.size());
     if (end > hash && bytes[end - 1] == '\r') --end;
@@ -55,6 +56,7 @@ std::vector<Span> comments_of(const Document& document) {
   switch (document.syntax()) {
     case Syntax::kYaml:
     case Syntax::kOpenCvYaml:
+    case Syntax::kPython:
       return hash_comments(document);
     case Syntax::kXml:
       return markup_comments(document.source().bytes);

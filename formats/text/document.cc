@@ -93,7 +93,11 @@ void Document::remove_from_flow(const Node& mapping, const Entry& entry) {
     while (behind < entries.size() && gone(behind)) ++behind;
     const bool takes_comma_behind = first == 0 && behind < entries.size();
     const std::size_t start = first == 0 ? entries[0].key.span.offset : end_of(entries[first - 1]);
-    const std::size_t end = takes_comma_behind ? entries[behind].key.span.offset : end_of(entries[behind - 1]);
+    std::size_t end = takes_comma_behind ? entries[behind].key.span.offset : end_of(entries[behind - 1]);
+    // Python takes a comma behind the last value, and none alone.
+    const std::size_t next = source_.bytes.find_first_not_of(" \t\r\n", end);
+    const bool leaves_comma = first == 0 && !takes_comma_behind && next < source_.bytes.size() && source_.bytes[next] == ',';
+    if (leaves_comma) end = next + 1;
     add_edit({{start, end - start}, "", owner});
     if (first == 0 && behind == entries.size()) emptied_.push_back(owner);
     first = behind;
@@ -138,7 +142,7 @@ void Document::insert_after(const Node& mapping, const Entry& entry, const std::
 void Document::insert_in_flow(const Node& mapping, const Entry& entry, const std::string& lines) {
   std::string separator = ", ";
   std::string_view indentation;
-  if (syntax_ == Syntax::kJson && begins_line(entry)) {
+  if (is_in_brackets(syntax_) && begins_line(entry)) {
     indentation = indentation_at(entry.key.span.offset);
     separator = "," + std::string(source_.line_break()) + std::string(indentation);
   }

@@ -6,6 +6,7 @@
 #include "binary.h"
 #include "json.h"
 #include "npy.h"
+#include "python.h"
 #include "syntax.h"
 #include "words.h"
 #include "xml.h"
@@ -51,6 +52,18 @@ std::optional<Node> parse_json_or_yaml(const Source& source, Syntax& syntax, Dia
   return root;
 }
 
+/// By its quotes a literal of Python, which YAML's flow style can begin as, too.
+std::optional<Node> parse_python_or_yaml(const Source& source, Syntax& syntax, Diagnostics& diagnostics) {
+  Diagnostics as_python;
+  std::optional<Node> root = parse_python(source, as_python);
+  if (root) return root;
+  Diagnostics as_yaml;
+  if (!named_as_python(source)) root = parse_yaml(source, Syntax::kYaml, as_yaml);
+  if (root) syntax = Syntax::kYaml;
+  for (const Diagnostic& entry : (root ? as_yaml : as_python).entries()) diagnostics.add(entry);
+  return root;
+}
+
 std::optional<Node> parse(const Source& source, Syntax& syntax, Diagnostics& diagnostics) {
   switch (syntax) {
     case Syntax::kYaml:
@@ -60,6 +73,8 @@ std::optional<Node> parse(const Source& source, Syntax& syntax, Diagnostics& dia
       return parse_xml(source, diagnostics);
     case Syntax::kJson:
       return parse_json_or_yaml(source, syntax, diagnostics);
+    case Syntax::kPython:
+      return parse_python_or_yaml(source, syntax, diagnostics);
     case Syntax::kWords:
       return parse_words(source, diagnostics);
     case Syntax::kBinary:
@@ -80,8 +95,8 @@ bool is_utf16(std::string_view bytes) {
   return pairs > 0 && fewer == 0 && 4 * more > 3 * pairs;
 }
 
-/// JSON and XML take a CR as a blank.
-bool needs_line_feeds(Syntax syntax) { return syntax != Syntax::kJson && syntax != Syntax::kXml; }
+/// JSON, Python and XML take a CR as a blank.
+bool needs_line_feeds(Syntax syntax) { return !is_in_brackets(syntax) && syntax != Syntax::kXml; }
 
 }  // namespace
 

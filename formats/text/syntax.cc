@@ -4,6 +4,7 @@
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <span>
 #include <vector>
@@ -72,6 +73,25 @@ bool begins_as_json(std::string_view text) {
   return next == std::string_view::npos || std::string_view("[{]\"'-0123456789").find(text[next]) != std::string_view::npos;
 }
 
+/// By a name that says nothing of the syntax, a mapping whose first key is in single quotes, behind blanks and comments.
+bool begins_as_python(const Source& source, std::string_view text) {
+  constexpr std::array<std::string_view, 5> kOthers = {".yaml", ".yml", ".json", ".xml", ".txt"};
+  if (std::ranges::find(kOthers, extension_of(source)) != kOthers.end()) return false;
+  bool is_open = false;
+  for (std::size_t at = 0; at < text.size(); at = text.find_first_not_of(kBlanks, at)) {
+    const char c = text[at];
+    if (c == '#') {
+      at = std::min(text.find_first_of("\r\n", at), text.size());
+    } else if (c == '{' && !is_open) {
+      is_open = true;
+      ++at;
+    } else {
+      return c == '\'' && is_open;
+    }
+  }
+  return false;
+}
+
 /// "[image]" alone in its line, and behind it neither a key of YAML nor another value: the sections of an .ini, whose lines are
 /// words.
 bool begins_as_ini(std::span<const std::string_view> lines) {
@@ -97,6 +117,8 @@ bool named_as_yaml(const Source& source) {
   return extension == ".yaml" || extension == ".yml";
 }
 
+bool named_as_python(const Source& source) { return extension_of(source) == ".cameramodel"; }
+
 bool falls_back_to_yaml(const Source& source) {
   if (named_as_yaml(source)) return true;
   const std::string_view text = content_of(source);
@@ -105,10 +127,12 @@ bool falls_back_to_yaml(const Source& source) {
 }
 
 Syntax choose_syntax(const Source& source) {
+  if (named_as_python(source)) return Syntax::kPython;
   if (std::string_view(source.bytes).substr(source.byte_order_mark()).starts_with("%YAML:")) return Syntax::kOpenCvYaml;
   const std::string_view text = content_of(source);
   if (text.empty() || text[0] == '%') return Syntax::kYaml;
   if (text[0] == '<' && !text.starts_with("<<<<<<< ")) return Syntax::kXml;
+  if (begins_as_python(source, text)) return Syntax::kPython;
   if (begins_as_json(text)) return Syntax::kJson;
 
   const std::vector<std::string_view> lines = first_lines(text, 2);

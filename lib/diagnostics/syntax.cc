@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::string_view kYaml = "yaml-syntax";
 constexpr std::string_view kJson = "json-syntax";
+constexpr std::string_view kPython = "python-syntax";
 constexpr std::string_view kXml = "xml-syntax";
 constexpr std::string_view kCount = "wrong-count";
 
@@ -85,6 +86,24 @@ std::span<const CodeInfo> syntax_codes() {
       error(Code::kJsonCommaMissing, kJson, "JSON syntax error: a comma or '{0}' is missing"),
       // In the parser's words.
       error(Code::kJsonSyntax, kJson, "JSON syntax error: {0}"),
+
+      // Literals of Python.
+      error(Code::kLiteralNotUtf8, kPython, "Python syntax error: a byte that is no UTF-8", "save the file as UTF-8"),
+      error(Code::kLiteralNotANumber, kPython, "Python syntax error: a literal has no nan and no inf"),
+      error(Code::kLiteralNoNumber, kPython, "Python syntax error: '{0}' is no decimal number"),
+      error(Code::kLiteralValueMissing, kPython, "Python syntax error: a value is missing here"),
+      error(Code::kLiteralNoValue, kPython, "Python syntax error: '{0}' is no literal; text stands in quotes"),
+      error(Code::kLiteralStringOpen, kPython, "Python syntax error: a string that is never closed", kCloseIt),
+      error(Code::kLiteralStringOfLines, kPython, "Python syntax error: a string that is not closed on its line", kCloseIt),
+      error(Code::kLiteralStringsMixed, kPython, "Python syntax error: a text and bytes (b'..') side by side"),
+      error(Code::kLiteralWrongEscape, kPython, "Python syntax error: a wrong escape inside a string",
+            "a backslash is spelled \\\\"),
+      error(Code::kLiteralBracketOpen, kPython, "Python syntax error: a '{0}' that is never closed", kIsCutOff),
+      error(Code::kLiteralEndsEarly, kPython, "Python syntax error: the file ends too early"),
+      error(Code::kLiteralBehindRoot, kPython, "Python syntax error: something stands behind the closing bracket"),
+      error(Code::kLiteralKeyWanted, kPython, "Python syntax error: a key in quotes is wanted"),
+      error(Code::kLiteralColonMissing, kPython, "Python syntax error: a key without its colon"),
+      error(Code::kLiteralCommaMissing, kPython, "Python syntax error: a comma or '{0}' is missing"),
 
       error(Code::kXmlMisread, "xml-place", "the XML parser read something else than what stands here", kOurBug),
       error(Code::kXmlElementOpen, kXml, "XML syntax error: <{0}> is never closed", kIsCutOff),

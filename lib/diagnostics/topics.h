@@ -28,6 +28,7 @@ namespace fca::diagnostics {
 [[nodiscard]] std::span<const CodeInfo> basalt_codes();
 [[nodiscard]] std::span<const CodeInfo> table_codes();
 [[nodiscard]] std::span<const CodeInfo> sensor_codes();
+[[nodiscard]] std::span<const CodeInfo> mrcal_codes();
 [[nodiscard]] std::span<const CodeInfo> colmap_codes();
 [[nodiscard]] std::span<const CodeInfo> nerf_codes();
 [[nodiscard]] std::span<const CodeInfo> orbslam3_codes();
@@ -40,6 +41,7 @@ namespace fca::diagnostics {
 [[nodiscard]] std::span<const CodeInfo> vins_program_codes();
 [[nodiscard]] std::span<const CodeInfo> basalt_program_codes();
 [[nodiscard]] std::span<const CodeInfo> sensor_program_codes();
+[[nodiscard]] std::span<const CodeInfo> mrcal_program_codes();
 [[nodiscard]] std::span<const CodeInfo> colmap_program_codes();
 [[nodiscard]] std::span<const CodeInfo> nerf_program_codes();
 [[nodiscard]] std::span<const CodeInfo> opencv_program_codes();

@@ -25,11 +25,14 @@ struct SyntaxRow {
   std::string_view extension;  ///< Of a file that holds it.
 };
 
-constexpr std::array kSyntaxes = {
-    SyntaxRow{"yaml", text::Syntax::kYaml, ".yaml"},   SyntaxRow{"opencv-yaml", text::Syntax::kOpenCvYaml, ".yml"},
-    SyntaxRow{"xml", text::Syntax::kXml, ".xml"},      SyntaxRow{"json", text::Syntax::kJson, ".json"},
-    SyntaxRow{"words", text::Syntax::kWords, ".txt"},  SyntaxRow{"ini", text::Syntax::kWords, ".ini"},
-    SyntaxRow{"binary", text::Syntax::kBinary, ".bin"}};
+constexpr std::array kSyntaxes = {SyntaxRow{"yaml", text::Syntax::kYaml, ".yaml"},
+                                  SyntaxRow{"opencv-yaml", text::Syntax::kOpenCvYaml, ".yml"},
+                                  SyntaxRow{"xml", text::Syntax::kXml, ".xml"},
+                                  SyntaxRow{"json", text::Syntax::kJson, ".json"},
+                                  SyntaxRow{"python", text::Syntax::kPython, ".cameramodel"},
+                                  SyntaxRow{"words", text::Syntax::kWords, ".txt"},
+                                  SyntaxRow{"ini", text::Syntax::kWords, ".ini"},
+                                  SyntaxRow{"binary", text::Syntax::kBinary, ".bin"}};
 
 /// Beside the parser alone, the file as whatever format it is taken for: what sections, lines and keys are is decided there.
 Complaints run_syntax(const SyntaxRow& row, std::string_view bytes) {

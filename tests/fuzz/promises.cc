@@ -9,6 +9,7 @@
 
 #include "text/binary.h"
 #include "text/json.h"
+#include "text/python.h"
 #include "text/words.h"
 #include "text/xml.h"
 #include "text/yaml.h"
@@ -189,6 +190,9 @@ Complaints parse_promises(text::Syntax syntax, std::string_view bytes) {
       break;
     case text::Syntax::kJson:
       root = text::parse_json(source, diagnostics);
+      break;
+    case text::Syntax::kPython:
+      root = text::parse_python(source, diagnostics);
       break;
     case text::Syntax::kWords:
       root = text::parse_words(source, diagnostics);

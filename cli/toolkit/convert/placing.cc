@@ -22,9 +22,9 @@ struct Extension {
   std::string_view syntax;
 };
 
-constexpr std::array kExtensions = {Extension{".yaml", "YAML"}, Extension{".yml", "YAML"}, Extension{".xml", "XML"},
-                                    Extension{".json", "JSON"}, Extension{".txt", "text"}, Extension{".ini", "text"},
-                                    Extension{".bin", "binary"}};
+constexpr std::array kExtensions = {Extension{".yaml", "YAML"},  Extension{".yml", "YAML"},          Extension{".xml", "XML"},
+                                    Extension{".json", "JSON"},  Extension{".txt", "text"},          Extension{".ini", "text"},
+                                    Extension{".bin", "binary"}, Extension{".cameramodel", "Python"}};
 
 std::string_view name_of(text::Syntax syntax) {
   switch (syntax) {
@@ -32,6 +32,8 @@ std::string_view name_of(text::Syntax syntax) {
       return "XML";
     case text::Syntax::kJson:
       return "JSON";
+    case text::Syntax::kPython:
+      return "Python";
     case text::Syntax::kWords:
       return "text";
     case text::Syntax::kBinary:

@@ -273,6 +273,21 @@ enum class Code : std::uint16_t {
   kJsonColonMissing,
   kJsonCommaMissing,
   kJsonSyntax,
+  kLiteralNotUtf8,
+  kLiteralNotANumber,
+  kLiteralNoNumber,
+  kLiteralValueMissing,
+  kLiteralNoValue,
+  kLiteralStringOpen,
+  kLiteralStringOfLines,
+  kLiteralStringsMixed,
+  kLiteralWrongEscape,
+  kLiteralBracketOpen,
+  kLiteralEndsEarly,
+  kLiteralBehindRoot,
+  kLiteralKeyWanted,
+  kLiteralColonMissing,
+  kLiteralCommaMissing,
   kXmlMisread,
   kXmlElementOpen,
   kXmlNoElement,
@@ -726,6 +741,15 @@ enum class Code : std::uint16_t {
   kKimeraWrote,
   kKimeraWroteImu,
 
+  // mrcal's camera models, read and written.
+  kMrcalUnreadLens,
+  kMrcalPosesDiffer,
+  kMrcalMirror,
+  kMrcalStale,
+  kMrcalPoseUnknown,
+  kMrcalDemandsSize,
+  kMrcalNoTilt,
+
   // COLMAP's cameras.txt, as read and written.
   kColmapNamedModel,
   kColmapHeader,
@@ -1153,6 +1177,17 @@ enum class Code : std::uint16_t {
   // What cuVSLAM's EuRoC example says to a file.
   kCuvslamSaysNoPose,
   kCuvslamSaysTakenForBrown,
+
+  // What mrcal says to a file.
+  kMrcalSaysOnlyNewPose,
+  kMrcalSaysPosesDiffer,
+  kMrcalSaysOtherLens,
+  kMrcalSaysCoefficientCount,
+  kMrcalSaysNoBytes,
+  kMrcalSaysNoCameraNumber,
+  kMrcalSaysNumberWithoutInputs,
+  kMrcalSaysRegion,
+  kMrcalSaysSize,
 
   // What COLMAP says to a file.
   kColmapSaysNoCamera,

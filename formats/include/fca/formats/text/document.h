@@ -21,7 +21,11 @@ enum class Syntax {
   kJson,        ///< Strict JSON. All collections are flow collections.
   kWords,       ///< Lines of words: a sequence of sequences, one for every physical line (OCamCalib, DSO).
   kBinary,      ///< COLMAP's cameras.bin and rigs.bin, as the lines of words that cameras.txt and rigs.txt have; NumPy's .npy.
+  kPython,      ///< A literal of Python (mrcal): JSON's brackets and commas, and Python's quotes, numbers and comments.
 };
+
+/// Do brackets enclose every list and mapping, with commas between their values and a key in quotes before each of these?
+[[nodiscard]] constexpr bool is_in_brackets(Syntax syntax) { return syntax == Syntax::kJson || syntax == Syntax::kPython; }
 
 class Document {
  public:
