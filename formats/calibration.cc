@@ -225,17 +225,23 @@ void complete(std::span<const Format* const> formats, Rig& rig) {
 
 }  // namespace
 
-/// Joined files of cameras alone put each at the origin of the same frame (ROS: R = I and no baseline): that states no pose.
+/// Joined files of cameras alone put each at the origin of the same frame (ROS: R = I and no baseline; mrcal: zeros): that
+/// states no pose.
 void forget_common_origins(Rig& rig, Diagnostics& diagnostics) {
   std::map<std::string, std::vector<std::string>> at_origin;
+  const auto is_own_frame = [&rig](const std::string& name) {
+    const FrameKind kind = rig.kind_of(name);
+    return kind != FrameKind::kCamera && kind != FrameKind::kImu;
+  };
   for (const PoseEdge& edge : rig.poses) {
-    const FrameKind kind = rig.kind_of(edge.a);
-    const bool own_frame = kind != FrameKind::kCamera && kind != FrameKind::kImu;
-    if (own_frame && edge.T_a_b == Transform{}) at_origin[edge.a].push_back(edge.b);
+    if (edge.T_a_b != Transform{}) continue;
+    if (is_own_frame(edge.a)) at_origin[edge.a].push_back(edge.b);
+    if (is_own_frame(edge.b)) at_origin[edge.b].push_back(edge.a);
   }
   for (const auto& [frame, cameras] : at_origin) {
     if (cameras.size() < 2) continue;
-    std::erase_if(rig.poses, [&of = frame](const PoseEdge& edge) { return edge.a == of && edge.T_a_b == Transform{}; });
+    std::erase_if(rig.poses,
+                  [&of = frame](const PoseEdge& edge) { return (edge.a == of || edge.b == of) && edge.T_a_b == Transform{}; });
     diagnostics.add(Code::kPoseOfEachUnstated, {cameras});
   }
 }
@@ -308,7 +314,8 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
   }
   complete(result.formats, result.rig);
   warn_of_contradictions(result.rig, files, diagnostics);
-  if (options.join && result.format->pair_poses) forget_common_origins(result.rig, diagnostics);
+  if (options.join && !result.format->many_cameras && !result.format->frame.empty())
+    forget_common_origins(result.rig, diagnostics);
   result.documents = std::move(documents);
   return result;
 }

@@ -35,8 +35,6 @@ constexpr std::array kKnown = {
     Known{Code::kLooksLikeFastLivoCamera, "cam_model", "cam_width"},
     Known{Code::kLooksLikeFastLivoPoses, "extrin_calib", "Pcl"},
     Known{Code::kLooksLikeStella, "Camera:", "setup:"},
-    Known{Code::kLooksLikeMrcal, "'intrinsics'", "'imagersize'", true},
-    Known{Code::kLooksLikeMrcal, "\"intrinsics\"", "\"imagersize\"", true},
     Known{Code::kLooksLikeCuvslamRig, "stereo_cameras", "left_camera"},
     Known{Code::kLooksLikeCuvslamRig, "rgb_camera", "depth_camera"},
     Known{Code::kLooksLikeDepthai, "cameraData", "boardName"},

@@ -113,7 +113,7 @@ constexpr std::array kNames = {
     ProgramName{kFastLivo, "FAST-LIVO", "ros", "", "", "camera_pinhole.yaml, flat keys of ROS parameters"},
     ProgramName{kMsckfVio, "MSCKF-VIO", "kalibr", "", "", "Kalibr's keys with flat lists for its poses"},
     ProgramName{kStella, "stella_vslam", "orbslam3", "", "", "a configuration of its own in YAML"},
-    ProgramName{kMrcal, "mrcal", "opencv", "", "", ".cameramodel files"},
+    ProgramName{kMrcal, "mrcal", "mrcal"},
     ProgramName{kOpensfm, "OpenSfM", "opensfm"},
     ProgramName{kDepthai, "DepthAI", "opencv", "", "", "the device's EEPROM as JSON"},
     ProgramName{kRealsense, "RealSense", "opencv", "", "", "the device's own memory (rs-enumerate-devices prints it)"},

@@ -6,6 +6,7 @@
 #include "kitti.h"
 #include "mast3r.h"
 #include "metashape.h"
+#include "mrcal/mrcal.h"
 #include "ncore.h"
 #include "nerfstudio/nerfstudio.h"
 #include "ocamcalib/ocamcalib.h"
@@ -34,13 +35,12 @@ namespace {
 
 const auto& table() {
   static const std::array kTable = {
-      guarded<kalibr::kFormat>(),  guarded<opencv::kFormat>(),     guarded<ocamcalib::kFormat>(),
-      guarded<tumvi::kFormat>(),   guarded<orbslam3::kFormat>(),   guarded<woodscape::kFormat>(),
-      guarded<basalt::kFormat>(),  guarded<openvins::kFormat>(),   guarded<vins::kFormat>(),
-      guarded<ros::kFormat>(),     guarded<euroc::kFormat>(),      guarded<kimera::kFormat>(),
-      guarded<colmap::kFormat>(),  guarded<nerfstudio::kFormat>(), guarded<mast3r::kFormat>(),
-      guarded<opensfm::kFormat>(), guarded<metashape::kFormat>(),  guarded<kitti::kFormat>(),
-      guarded<ncore::kFormat>(),   guarded<rays::kFormat>(),
+      guarded<kalibr::kFormat>(),   guarded<opencv::kFormat>(),    guarded<ocamcalib::kFormat>(),  guarded<tumvi::kFormat>(),
+      guarded<orbslam3::kFormat>(), guarded<woodscape::kFormat>(), guarded<basalt::kFormat>(),     guarded<openvins::kFormat>(),
+      guarded<vins::kFormat>(),     guarded<ros::kFormat>(),       guarded<euroc::kFormat>(),      guarded<kimera::kFormat>(),
+      guarded<mrcal::kFormat>(),    guarded<colmap::kFormat>(),    guarded<nerfstudio::kFormat>(), guarded<mast3r::kFormat>(),
+      guarded<opensfm::kFormat>(),  guarded<metashape::kFormat>(), guarded<kitti::kFormat>(),      guarded<ncore::kFormat>(),
+      guarded<rays::kFormat>(),
   };
   return kTable;
 }

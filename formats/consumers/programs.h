@@ -39,6 +39,7 @@ inline constexpr std::array<std::string_view, 9> kTakenByLichtfeld = {
 [[nodiscard]] ConsumerView load_lichtfeld(std::string_view bytes, const LoadOptions& options);
 /// transforms.json, and the file of COLMAP's that ns-process-data makes one of.
 [[nodiscard]] ConsumerView load_nerfstudio(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_mrcal(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_openvins(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_openvins_imu(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_orbslam3(std::string_view bytes, const LoadOptions& options);

@@ -5,6 +5,7 @@
 #include "opencv.h"
 
 #include "../fields.h"
+#include "../rotation_vector.h"
 
 #include <fca/code.h>
 
@@ -170,7 +171,7 @@ class CalibrationReader {
     Transform T_c1_c0;
     if (layout_.rotation_vector) {
       if (!check_rotation_vector(*R, R_node)) return;
-      set_rotation(R->values, T_c1_c0);
+      set_rotation({R->values[0], R->values[1], R->values[2]}, T_c1_c0);
     } else {
       for (int i = 0; i < 9; ++i) {
         const int row = layout_.rotation_transposed ? i % 3 : i / 3;
@@ -191,22 +192,6 @@ class CalibrationReader {
     if (angle <= kLargestAngle) return true;
     reader_.say(node, Code::kOpencvAngleTooLarge, {layout_.rotation, angle});
     return false;
-  }
-
-  /// Rodrigues' formula.
-  static void set_rotation(const std::vector<double>& om, Transform& T) {
-    const double angle = std::hypot(om[0], om[1], om[2]);
-    if (angle == 0.0) return;
-    const double axis[3] = {om[0] / angle, om[1] / angle, om[2] / angle};
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3;
-      const int k = (i + 2) % 3;
-      T(i, i) = c + (1.0 - c) * axis[i] * axis[i];
-      T(i, j) = (1.0 - c) * axis[i] * axis[j] - s * axis[k];
-      T(i, k) = (1.0 - c) * axis[i] * axis[k] + s * axis[j];
-    }
   }
 
   void read_count() {

@@ -16,6 +16,7 @@
 // is no key for a time offset.
 #include "euroc.h"
 
+#include "../name_in_path.h"
 #include "cuvslam_rig.h"
 #include "files.h"
 #include "keys.h"
@@ -24,7 +25,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <set>
 
 namespace fca::euroc {
@@ -87,27 +87,6 @@ constexpr schema::Schema kCameraTable =
 constexpr schema::Schema kImuTable = schema_of({.keys = kImuKeys, .unread = "", .warns_of_duplicates = true, .in_turn = true});
 constexpr schema::Schema kTable = schema_of({.keys = kAllKeys});
 
-/// The last "cam1" in a name; nothing if there is none.
-std::string indexed_name(std::string_view text, std::string_view prefix) {
-  constexpr std::string_view kDigits = "0123456789";
-  for (std::size_t at = text.rfind(prefix); at != std::string_view::npos; at = at == 0 ? at - 1 : text.rfind(prefix, at - 1)) {
-    const std::size_t digits = at + prefix.size();
-    const std::size_t end = std::min(text.find_first_not_of(kDigits, digits), text.size());
-    constexpr std::size_t kMostDigits = 4;
-    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-    const bool in_a_word = (at > 0 && is_letter(text[at - 1])) || (end < text.size() && is_letter(text[end]));
-    if (end > digits && end - digits <= kMostDigits && !in_a_word) return std::string(text.substr(at, end - at));
-  }
-  return "";
-}
-
-/// What the file's own name, or that of its folder, calls the sensor.
-std::string name_by_path(const text::Document& document, std::string_view prefix) {
-  const std::filesystem::path path = document.source().name;
-  const std::string own = indexed_name(path.stem().string(), prefix);
-  return own.empty() ? indexed_name(path.parent_path().filename().string(), prefix) : own;
-}
-
 const Node* numbers_at(const Node& root, std::string_view key) {
   const Node* pose = text::find(root, key, kTable.dialect);
   return pose != nullptr ? text::find(*pose, "data", kTable.dialect) : nullptr;
@@ -115,7 +94,7 @@ const Node* numbers_at(const Node& root, std::string_view key) {
 
 /// Of a camera that is not where cam0 is, cam1.
 std::string camera_name(const text::Document& document) {
-  const std::string name = name_by_path(document, "cam");
+  const std::string name = name_by_path(document.source().name, "cam");
   if (!name.empty()) return name;
   const Node* data = numbers_at(document.root(), kFirstCamera);
   Transform T;
@@ -125,7 +104,7 @@ std::string camera_name(const text::Document& document) {
 }
 
 std::string imu_name(const text::Document& document) {
-  const std::string name = name_by_path(document, "imu");
+  const std::string name = name_by_path(document.source().name, "imu");
   return name.empty() ? std::string(schema::kImu) : name;
 }
 

@@ -8,14 +8,14 @@ namespace fca::text {
 /// How a file is written, by its first lines and, where they leave it open, by its extension:
 ///
 /// 1. `%YAML:` is cv::FileStorage's YAML, any other `%` plain YAML.
-/// 2. `<` is XML (but `/// 3. `{`, and `[` before a JSON value, are JSON. YAML, too, can begin so: see falls_back_to_yaml.
+/// 2. `<` is XML (but `<<<<<<< ` is git's).
+/// 3. `{`, and `[` before a JSON value, are JSON. YAML, too, can begin so: see falls_back_to_yaml.
 /// 4. A name that ends in .cameramodel, mrcal's, is Python. So is a mapping, behind comments or none, whose first key stands in
 ///    single quotes, by any name but one of the other syntaxes': YAML, too, can begin so, and is what Python refuses.
 /// 5. Otherwise the first line that is neither blank nor a comment decides. Numbers, with or without one name before them, are
 /// words
 ///    (`5 -1.2 0.0`, `RadTan 0.5 0.5 ..`): no YAML mapping or list begins so. So is an .ini: a section (`[image]`) before a
 ///    line of text. What a mapping or list can begin with (`key:`, `- x`) is YAML.
-<<<<<<< HEAD
 /// 6. What can be none of these is what its extension says (.txt, .csv: words), so that a damaged file is told what is wrong
 ///    with it
 ///    as a file of its kind. A first line of text before a line of numbers is words by any name but a YAML file's.

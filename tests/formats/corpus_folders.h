@@ -28,6 +28,7 @@ inline constexpr std::array kSharedFolders = {
     SharedFolders{"ros", "extra/ros_camera_info", "ros_camera_info"},
     SharedFolders{"euroc", "extra/euroc_sensor", "", "extra/cuvslam_rig"},
     SharedFolders{"kimera", "extra/kimera", ""},
+    SharedFolders{"mrcal", "extra/mrcal", ""},
     SharedFolders{"colmap", "extra/colmap", "", "extra/colmap_rig"},
     SharedFolders{"nerfstudio", "extra/transforms_json", ""},
 };

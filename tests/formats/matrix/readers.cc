@@ -4,6 +4,7 @@
 #include "pixels_euroc.h"
 #include "pixels_kalibr.h"
 #include "pixels_kimera.h"
+#include "pixels_mrcal.h"
 #include "pixels_nerfstudio.h"
 #include "pixels_ocamcalib.h"
 #include "pixels_opencv.h"
@@ -30,6 +31,7 @@ const FormatReader* find_reader(const std::string& id) {
       {"ros", ros::camera, ros::relative_poses},
       {"euroc", euroc::camera, euroc::relative_poses},
       {"kimera", kimera::camera, kimera::relative_poses},
+      {"mrcal", mrcal::camera, mrcal::relative_poses},
       {"colmap", colmap::camera, colmap::relative_poses},
       {"nerfstudio", nerfstudio::camera, nerfstudio::relative_poses},
   };
