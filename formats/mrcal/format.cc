@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "layout.h"
 #include "mrcal.h"
+#include "own_lens.h"
 
 #include "../losses.h"
 #include "../name_in_path.h"
@@ -8,10 +9,12 @@
 #include "../schema/keys.h"
 
 #include <fca/code.h>
+#include <fca/convert/ray_table.h>
 #include <fca/formats/file_name.h>
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace fca::mrcal {
 
@@ -26,6 +29,23 @@ std::string camera_name(std::string_view path) {
     return "cam" + name.substr(kOfMrcal.size());
   const std::string name = name_by_path(path, "cam");
   return name.empty() ? "cam0" : name;
+}
+
+/// A lens of mrcal's own, of which the table has read name, size and the number of its numbers. False with an error.
+bool make_table_of_rays(fields::Reader& reader, const Node& root, std::string_view lens, Camera& camera) {
+  const std::string name = todays_name(lens);
+  const std::optional<std::size_t> count = numbers_of_own_lens(name);
+  if (!count) return true;
+  const Node& list = *reader.find(root, kIntrinsics);
+  const std::optional<std::vector<double>> numbers = reader.reals(list, *count, kIntrinsics);
+  if (!numbers) return false;
+  std::optional<Camera> table = measured(camera, projection_of_own_lens(name, *numbers), std::numbers::pi);
+  if (!table) {
+    reader.say(list, Code::kRaysWithoutCentre);
+    return false;
+  }
+  camera = *std::move(table);
+  return true;
 }
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
@@ -43,6 +63,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   schema::Reading reading{kSchema, reader, options, rig, ""};
   reading.camera = &camera;
   if (!schema::read_mapping(reading, kSchema.root, root)) return std::nullopt;
+  if (!make_table_of_rays(reader, root, reading.lens, camera)) return std::nullopt;
   if (rig.poses.empty() && reader.require(root, kPoseKeys.back(), kSchema.what) == nullptr) return std::nullopt;
   reader.warn_of_misspelt();  // keeping what no row reads asks for all keys
   schema::keep_unread(reading, kSchema.root, root, camera.name);
@@ -56,7 +77,9 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (!schema::are_rotations(rig, kPose, Code::kMrcalMirror, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const std::optional<Rig> old = options.anew ? std::nullopt : there;
+  // A lens of mrcal's own has become another one.
+  const bool is_of_own_lens = there && !there->cameras.front().rays.empty();
+  const std::optional<Rig> old = options.anew || is_of_own_lens ? std::nullopt : there;
   Written written;
   bool edits = false;
   for (const Camera& camera : rig.cameras) {

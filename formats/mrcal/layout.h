@@ -47,6 +47,9 @@ inline constexpr std::array kLenses = {LensModel{"LENSMODEL_PINHOLE", "pinhole",
                                        LensModel{"LENSMODEL_OPENCV8", "rational", 8},
                                        LensModel{"LENSMODEL_OPENCV12", "opencv14", 12}};
 
+/// The name of a lens as mrcal renames an old one.
+[[nodiscard]] std::string todays_name(std::string_view name);
+
 /// By the name that a file has for it, also an old one; null if there is none.
 [[nodiscard]] const LensModel* find_lens(std::string_view name);
 /// The one that a file has for the model: `there` (may be null) where that does. Of one of `Format::models`.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "layout.h"
+#include "own_lens.h"
 
 #include "../rotation_vector.h"
 #include "../schema/keys.h"
@@ -25,17 +26,8 @@ namespace {
 constexpr std::array<ParameterId, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
 constexpr std::size_t kLongestWord = 60;  ///< Of the file, in a message.
 
-/// Lenses of mrcal that are no lens of OpenCV: the beginnings of their names.
-constexpr std::array<std::string_view, 5> kOwnLenses = {"LENSMODEL_STEREOGRAPHIC", "LENSMODEL_LONLAT", "LENSMODEL_LATLON",
-                                                        "LENSMODEL_CAHVOR", "LENSMODEL_SPLINED_STEREOGRAPHIC"};
-
-/// As mrcal renames it.
-std::string todays_name(std::string_view name) {
-  constexpr std::string_view kOld = "DISTORTION";
-  std::string result(name);
-  if (result.starts_with(kOld)) result.replace(0, kOld.size(), "LENSMODEL");
-  return result;
-}
+/// Lenses of mrcal that are no lens of OpenCV and are not read: the beginnings of their names.
+constexpr std::array<std::string_view, 2> kUnreadLenses = {"LENSMODEL_CAHVORE", "LENSMODEL_SPLINED_STEREOGRAPHIC"};
 
 bool has_room_for(const LensModel& lens, const CameraModel& model) {
   if (model_info(model).id != lens.model) return false;
@@ -53,8 +45,12 @@ bool read_lens(Reading& reading, const Key& key, const Node& node) {
     return true;
   }
   const std::string name = todays_name(node.value);
+  if (node.is_scalar() && numbers_of_own_lens(name)) {
+    reading.lens = node.value;
+    return true;
+  }
   const std::string shown = node.value.substr(0, kLongestWord);
-  if (std::ranges::any_of(kOwnLenses, [&name](std::string_view begin) { return name.starts_with(begin); })) {
+  if (std::ranges::any_of(kUnreadLenses, [&name](std::string_view begin) { return name.starts_with(begin); })) {
     reading.reader.say(node, Code::kMrcalUnreadLens, {key.name, shown});
     return false;
   }
@@ -78,6 +74,8 @@ bool read_intrinsics(Reading& reading, const Key& key, const Node& node) {
         reading.reader.require(*reading.mapping, kLensKeys.front(), reading.schema.what);  // says that there is none
     return false;
   }
+  if (const std::optional<std::size_t> count = numbers_of_own_lens(todays_name(reading.lens)))
+    return reading.reader.reals(node, *count, key.name).has_value();
   const LensModel& lens = *find_lens(reading.lens);
   const std::vector<ParameterId> ids = parameters_of(lens);
   if (node.is_sequence() && node.items.size() != ids.size()) {
@@ -170,6 +168,13 @@ constexpr schema::Schema kSchema = {.what = "a camera model",
                                     .root = {.keys = kKeys, .unread = "", .warns_of_duplicates = true, .in_turn = true},
                                     .codes = {.wrong_syntax = Code::kTableWrongSyntax, .no_size = Code::kTableNoSize},
                                     .program = "mrcal"};
+
+std::string todays_name(std::string_view name) {
+  constexpr std::string_view kOld = "DISTORTION";
+  std::string result(name);
+  if (result.starts_with(kOld)) result.replace(0, kOld.size(), "LENSMODEL");
+  return result;
+}
 
 const LensModel* find_lens(std::string_view name) {
   const auto* const found = std::ranges::find(kLenses, todays_name(name), &LensModel::name);

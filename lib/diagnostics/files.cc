@@ -67,9 +67,6 @@ std::span<const CodeInfo> file_codes() {
             "looks like stella_vslam's configuration ({0} and {1}), which fca-io does not read",
             "write it as ORB-SLAM3 settings: fisheye is KannalaBrandt8, perspective is PinHole; focal_x_baseline is fx times "
             "the baseline in metres"),
-      error(Code::kLooksLikeMrcal, kUnknown, "looks like mrcal's camera model ({0} and {1}), which fca-io does not read",
-            "write it as an OpenCV file: an OPENCV model's intrinsics are fx fy cx cy and OpenCV's coefficients; extrinsics "
-            "are T_cam_reference"),
       error(Code::kLooksLikeCuvslamRig, kUnknown,
             "looks like a rig of cuVSLAM's examples ({0} and {1}), and no camera in it has what these read",
             "transform, three rows of four numbers, in left_camera and right_camera; or focal_length in rgb_camera"),

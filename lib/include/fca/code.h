@@ -389,7 +389,6 @@ enum class Code : std::uint16_t {
   kLooksLikeFastLivoCamera,
   kLooksLikeFastLivoPoses,
   kLooksLikeStella,
-  kLooksLikeMrcal,
   kLooksLikeCuvslamRig,
   kLooksLikeDepthai,
   kLooksLikeDepthaiBoard,
