@@ -38,6 +38,8 @@ constexpr std::array kColmap = {Name("pycolmap"),
                                 Name("opensplat"),
                                 Name("realitycapture-colmap"),
                                 Name("realitycapture")};
+constexpr std::array kStella = {Name("stella_vslam"), Name("openvslam"), Name("plp-slam"), Name("360vslam")};
+constexpr std::array kFastLivo = {Name("fast-livo2")};
 
 constexpr std::array kGraphdeco = {Name("3dgs"), Name("inria-gs"), Name("gaussian-splatting"), Name("graphdeco")};
 constexpr std::array kGsplat = {Name("gsplat")};
@@ -51,9 +53,7 @@ constexpr std::array kInstantNgp = {Name("instant-ngp"), Name("ngp"), Name("ingp
 constexpr std::array kOkvis = {Name("okvis"), Name("okvis2"), Name("okvis2-x")};
 constexpr std::array kSvo = {Name("svo"), Name("svo-pro"), Name("vikit"), Name("rpg"), Name("ultimate-slam")};
 constexpr std::array kMaplab = {Name("maplab"), Name("rovioli")};
-constexpr std::array kFastLivo = {Name("fast-livo"), Name("fast-livo2")};
 constexpr std::array kMsckfVio = {Name("msckf_vio"), Name("msckf")};
-constexpr std::array kStella = {Name("stella"), Name("stella_vslam"), Name("openvslam"), Name("plp-slam"), Name("360vslam")};
 constexpr std::array kMrcal = {Name("mrcal"), Name("deltacamera")};
 constexpr std::array kOpensfm = {Name("odm"), Name("webodm"), Name("opendronemap")};
 constexpr std::array kDepthai = {Name("oak"), Name("oakd"), Name("depthai"), Name("luxonis")};
@@ -105,14 +105,14 @@ constexpr std::array kNames = {
     ProgramName{.names = kLichtfeld, .title = "LichtFeld Studio", .format = "colmap", .consumer = "lichtfeld"},
     ProgramName{kNerfstudio, "nerfstudio", "nerfstudio"},
     ProgramName{.names = kInstantNgp, .title = "instant-ngp", .format = "nerfstudio", .consumer = "instant-ngp"},
+    ProgramName{kStella, "stella_vslam", "stella"},
+    ProgramName{kFastLivo, "FAST-LIVO", "fast-livo"},
     ProgramName{kGraphdeco, "gaussian-splatting", "colmap", "", "",
                 "undistorted images, with the cameras that colmap image_undistorter writes for them"},
     ProgramName{kOkvis, "OKVIS", "kalibr", "", "", "a configuration of its own in YAML"},
     ProgramName{kSvo, "SVO", "kalibr", "", "", "an ncamera YAML"},
     ProgramName{kMaplab, "maplab", "kalibr", "", "", "an ncamera YAML"},
-    ProgramName{kFastLivo, "FAST-LIVO", "ros", "", "", "camera_pinhole.yaml, flat keys of ROS parameters"},
     ProgramName{kMsckfVio, "MSCKF-VIO", "kalibr", "", "", "Kalibr's keys with flat lists for its poses"},
-    ProgramName{kStella, "stella_vslam", "orbslam3", "", "", "a configuration of its own in YAML"},
     ProgramName{kMrcal, "mrcal", "mrcal"},
     ProgramName{kOpensfm, "OpenSfM", "opensfm"},
     ProgramName{kDepthai, "DepthAI", "opencv", "", "", "the device's EEPROM as JSON"},

@@ -2,6 +2,7 @@
 // The table of formats. One row each; the order is that of `fca-io formats` and of detection.
 #include "basalt.h"
 #include "colmap/colmap.h"
+#include "fast_livo.h"
 #include "kalibr/kalibr.h"
 #include "kitti.h"
 #include "mast3r.h"
@@ -18,6 +19,7 @@
 #include "ros/ros.h"
 #include "sensors/euroc.h"
 #include "sensors/kimera.h"
+#include "stella/stella.h"
 #include "tumvi/tumvi.h"
 #include "vins/vins.h"
 #include "woodscape/woodscape.h"
@@ -35,12 +37,14 @@ namespace {
 
 const auto& table() {
   static const std::array kTable = {
-      guarded<kalibr::kFormat>(),   guarded<opencv::kFormat>(),    guarded<ocamcalib::kFormat>(),  guarded<tumvi::kFormat>(),
-      guarded<orbslam3::kFormat>(), guarded<woodscape::kFormat>(), guarded<basalt::kFormat>(),     guarded<openvins::kFormat>(),
-      guarded<vins::kFormat>(),     guarded<ros::kFormat>(),       guarded<euroc::kFormat>(),      guarded<kimera::kFormat>(),
-      guarded<mrcal::kFormat>(),    guarded<colmap::kFormat>(),    guarded<nerfstudio::kFormat>(), guarded<mast3r::kFormat>(),
-      guarded<opensfm::kFormat>(),  guarded<metashape::kFormat>(), guarded<kitti::kFormat>(),      guarded<ncore::kFormat>(),
-      guarded<rays::kFormat>(),
+      guarded<kalibr::kFormat>(),  guarded<opencv::kFormat>(),    guarded<ocamcalib::kFormat>(),
+      guarded<tumvi::kFormat>(),   guarded<orbslam3::kFormat>(),  guarded<woodscape::kFormat>(),
+      guarded<basalt::kFormat>(),  guarded<openvins::kFormat>(),  guarded<vins::kFormat>(),
+      guarded<ros::kFormat>(),     guarded<euroc::kFormat>(),     guarded<kimera::kFormat>(),
+      guarded<mrcal::kFormat>(),   guarded<colmap::kFormat>(),    guarded<nerfstudio::kFormat>(),
+      guarded<stella::kFormat>(),  guarded<fast_livo::kFormat>(), guarded<mast3r::kFormat>(),
+      guarded<opensfm::kFormat>(), guarded<metashape::kFormat>(), guarded<kitti::kFormat>(),
+      guarded<ncore::kFormat>(),   guarded<rays::kFormat>(),
   };
   return kTable;
 }

@@ -28,6 +28,7 @@ inline constexpr std::array<std::string_view, 9> kTakenByLichtfeld = {
 [[nodiscard]] ConsumerView load_3dgrut(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_cuvslam(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_cuvslam_imu(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_fast_livo(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_gsplat(std::string_view bytes, const LoadOptions& options);
 /// transforms.json, and the text file of COLMAP's that colmap2nerf.py makes one of.
 [[nodiscard]] ConsumerView load_instant_ngp(std::string_view bytes, const LoadOptions& options);
@@ -42,6 +43,8 @@ inline constexpr std::array<std::string_view, 9> kTakenByLichtfeld = {
 [[nodiscard]] ConsumerView load_mrcal(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_openvins(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_openvins_imu(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_openvslam(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_stella(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_orbslam3(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_orbslam2(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_slam_no_opt(std::string_view bytes, const LoadOptions& options);

@@ -33,6 +33,7 @@ std::vector<CodeInfo> joined_topics() {
            diagnostics::opencv_codes(),
            diagnostics::basalt_codes(),
            diagnostics::table_codes(),
+           diagnostics::slam_codes(),
            diagnostics::sensor_codes(),
            diagnostics::mrcal_codes(),
            diagnostics::colmap_codes(),

@@ -2,6 +2,8 @@
 #include <fca/rig/rotation.h>
 #include <fca/rig/stereo_pair.h>
 
+#include <fca/rig/rotation.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

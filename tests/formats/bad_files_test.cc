@@ -29,7 +29,8 @@ bool is_stock(const std::string& program, const Calibration& calibration) {
   return program.starts_with("Kalibr") || program == "ORB-SLAM3 V1.0" || program.starts_with("OCamCalib") ||
          program == "WoodScape's projection.py" || program == "Basalt" || program == "VINS-Fusion" || program == "ROS" ||
          program == "COLMAP" || program == "nerfstudio" || program.starts_with("Kimera-VIO") ||
-         program.starts_with("cuVSLAM") || (calibration.format->id == "openvins" && program.starts_with("OpenVINS"));
+         program.starts_with("cuVSLAM") || program == "stella_vslam" || program == "FAST-LIVO2" ||
+         (calibration.format->id == "openvins" && program.starts_with("OpenVINS"));
 }
 
 /// "3:11-15": where it begins and ends; "3:11" of one character, "-" of the whole file.

@@ -31,6 +31,8 @@ inline constexpr std::array kSharedFolders = {
     SharedFolders{"mrcal", "extra/mrcal", ""},
     SharedFolders{"colmap", "extra/colmap", "", "extra/colmap_rig"},
     SharedFolders{"nerfstudio", "extra/transforms_json", ""},
+    SharedFolders{"stella", "extra/stella_vslam", ""},
+    SharedFolders{"fast-livo", "extra/fast_livo", ""},
 };
 
 /// Those of a format that are there: OpenVINS' files lie among Kalibr's.

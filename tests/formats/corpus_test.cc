@@ -31,6 +31,12 @@ constexpr Refused kRefused[] = {
      "git's markers stand in it"},
     {"kimera/MIT-SPARK__Kimera-VIO__scripts__kalibr__templates__camera.yaml", "yaml-key",
      "a template: {{ camera_id }} stands where a value belongs"},
+    {"stella_vslam/UNSLAM25__vslam-backend__vslam__equirectangular.yaml", "unknown-model", "equirectangular: no lens"},
+    {"stella_vslam/ruetzmax__instruct360__config__equirectangular.yaml", "unknown-model", "equirectangular: no lens"},
+    {"stella_vslam/stella-cv__stella_vslam__example__aist__equirectangular.yaml", "unknown-model", "equirectangular: no lens"},
+    {"fast_livo/hku-mars__FAST-LIVO2__config__HILTI22.yaml", "unknown-format", "no camera: poses and tuning"},
+    {"fast_livo/hku-mars__FAST-LIVO2__config__NTU_VIRAL.yaml", "unknown-format", "no camera: poses and tuning"},
+    {"fast_livo/hku-mars__FAST-LIVO2__config__avia.yaml", "unknown-format", "no camera: poses and tuning"},
 };
 
 const Refused* find_refused(const std::string& file) {

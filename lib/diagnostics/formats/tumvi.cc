@@ -55,6 +55,7 @@ std::span<const CodeInfo> tumvi_codes() {
                .severity = Severity::kNote,
                .about = About::kUse,
                .text = "a camchain, not DSO's camera.txt: {0}"},
+      error(Code::kCameraTxtNotWritten, "not-a-camera-txt", "no camera.txt is written: {0}"),
 
       clause(Code::kCameraTxtNoPlace, "a camera.txt has no place for it"),
       clause(Code::kCameraTxtSizeOfCamera, "the camera's"),

@@ -511,6 +511,7 @@ enum class Code : std::uint16_t {
   kCameraTxtCentreBelowOne,
   kCameraTxtCentreNoShare,
   kCameraTxtCamchainInstead,
+  kCameraTxtNotWritten,
   kCameraTxtNoPlace,
   kCameraTxtSizeOfCamera,
   kCameraTxtHeadline,
@@ -716,6 +717,16 @@ enum class Code : std::uint16_t {
   kTableOneOffset,
   kTableFurtherImu,
   kTableWrote,
+
+  // stella_vslam and FAST-LIVO, read, written and as programs.
+  kSlamModelNotRead,
+  kSlamNotAllPowers,
+  kSlamInCalibResults,
+  kSlamFirstIsLeft,
+  kStellaLacksLens,
+  kFastLivoNoK3,
+  kFastLivoSaysNoDistortion,
+  kSlamRaysInSteps,
 
   // A file for each sensor, as EuRoC and Kimera have them, read and written.
   kEurocFisheye,

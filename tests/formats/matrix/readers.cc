@@ -2,6 +2,7 @@
 #include "pixels_basalt.h"
 #include "pixels_colmap.h"
 #include "pixels_euroc.h"
+#include "pixels_fast_livo.h"
 #include "pixels_kalibr.h"
 #include "pixels_kimera.h"
 #include "pixels_mrcal.h"
@@ -11,6 +12,7 @@
 #include "pixels_openvins.h"
 #include "pixels_orbslam3.h"
 #include "pixels_ros.h"
+#include "pixels_stella.h"
 #include "pixels_tumvi.h"
 #include "pixels_vins.h"
 #include "pixels_woodscape.h"
@@ -34,6 +36,8 @@ const FormatReader* find_reader(const std::string& id) {
       {"mrcal", mrcal::camera, mrcal::relative_poses},
       {"colmap", colmap::camera, colmap::relative_poses},
       {"nerfstudio", nerfstudio::camera, nerfstudio::relative_poses},
+      {"stella", stella::camera, stella::relative_poses},
+      {"fast-livo", fast_livo::camera, fast_livo::relative_poses},
   };
   for (const FormatReader& reader : readers) {
     if (reader.id == id) return &reader;
