@@ -49,6 +49,12 @@ constexpr std::array kNerfstudio = {Name("splatfacto"), Name("nerfacto"), Name("
                                     Name("luma")};
 constexpr std::array kInstantNgp = {Name("instant-ngp"), Name("ngp"), Name("ingp")};
 
+// Served by a format that is only read.
+constexpr std::array kDepthai = {Name("oak"), Name("oakd"), Name("luxonis")};
+constexpr std::array kRealsense = {Name("d435"), Name("d435i"), Name("d455"), Name("t265"), Name("rs2"), Name("librealsense")};
+constexpr std::array kZed = {Name("zed2"), Name("zedmini"), Name("zedx"), Name("stereolabs")};
+constexpr std::array kOpenicc = {Name("gopro"), Name("umi"), Name("openimucameracalibrator")};
+
 // Not written: what they read.
 constexpr std::array kOkvis = {Name("okvis"), Name("okvis2"), Name("okvis2-x")};
 constexpr std::array kSvo = {Name("svo"), Name("svo-pro"), Name("vikit"), Name("rpg"), Name("ultimate-slam")};
@@ -56,11 +62,6 @@ constexpr std::array kMaplab = {Name("maplab"), Name("rovioli")};
 constexpr std::array kMsckfVio = {Name("msckf_vio"), Name("msckf")};
 constexpr std::array kMrcal = {Name("mrcal"), Name("deltacamera")};
 constexpr std::array kOpensfm = {Name("odm"), Name("webodm"), Name("opendronemap")};
-constexpr std::array kDepthai = {Name("oak"), Name("oakd"), Name("depthai"), Name("luxonis")};
-constexpr std::array kRealsense = {Name("realsense"), Name("d435"), Name("d435i"),       Name("d455"),
-                                   Name("t265"),      Name("rs2"),  Name("librealsense")};
-constexpr std::array kZed = {Name("zed"), Name("zed2"), Name("zedmini"), Name("zedx"), Name("stereolabs")};
-constexpr std::array kOpenicc = {Name("openicc"), Name("gopro"), Name("umi"), Name("openimucameracalibrator")};
 constexpr std::array kAria = {Name("aria"), Name("project-aria"), Name("fisheye624"), Name("vrs")};
 constexpr std::array kNcore = {Name("ftheta"), Name("alpamayo"), Name("nvidia-ncore")};
 constexpr std::array kFtheta = {Name("driveworks"), Name("isaac-sim"), Name("omniverse"), Name("usd"), Name("rig.json")};
@@ -107,6 +108,10 @@ constexpr std::array kNames = {
     ProgramName{.names = kInstantNgp, .title = "instant-ngp", .format = "nerfstudio", .consumer = "instant-ngp"},
     ProgramName{kStella, "stella_vslam", "stella"},
     ProgramName{kFastLivo, "FAST-LIVO", "fast-livo"},
+    ProgramName{kDepthai, "DepthAI", "depthai"},
+    ProgramName{kOpenicc, "OpenImuCameraCalibrator", "openicc"},
+    ProgramName{kZed, "ZED", "zed"},
+    ProgramName{kRealsense, "RealSense", "realsense"},
     ProgramName{kGraphdeco, "gaussian-splatting", "colmap", "", "",
                 "undistorted images, with the cameras that colmap image_undistorter writes for them"},
     ProgramName{kOkvis, "OKVIS", "kalibr", "", "", "a configuration of its own in YAML"},
@@ -115,10 +120,6 @@ constexpr std::array kNames = {
     ProgramName{kMsckfVio, "MSCKF-VIO", "kalibr", "", "", "Kalibr's keys with flat lists for its poses"},
     ProgramName{kMrcal, "mrcal", "mrcal"},
     ProgramName{kOpensfm, "OpenSfM", "opensfm"},
-    ProgramName{kDepthai, "DepthAI", "opencv", "", "", "the device's EEPROM as JSON"},
-    ProgramName{kRealsense, "RealSense", "opencv", "", "", "the device's own memory (rs-enumerate-devices prints it)"},
-    ProgramName{kZed, "ZED", "opencv", "", "", "SN*.conf"},
-    ProgramName{kOpenicc, "OpenImuCameraCalibrator", "opencv", "", "", "a JSON of its own"},
     ProgramName{kAria, "Project Aria", "opencv", "", "", "a JSON of its own, with the model Fisheye624"},
     ProgramName{kNcore, "NCore", "ncore"},
     ProgramName{kFtheta, "NVIDIA's f-theta", "ocamcalib", "", "", "a rig.json, or a USD, with polynomials of its own"},

@@ -2,6 +2,9 @@
 // The table of formats. One row each; the order is that of `fca-io formats` and of detection.
 #include "basalt.h"
 #include "colmap/colmap.h"
+#include "devices/depthai.h"
+#include "devices/realsense.h"
+#include "devices/zed.h"
 #include "fast_livo.h"
 #include "kalibr/kalibr.h"
 #include "kitti.h"
@@ -12,6 +15,7 @@
 #include "nerfstudio/nerfstudio.h"
 #include "ocamcalib/ocamcalib.h"
 #include "opencv/opencv.h"
+#include "openicc.h"
 #include "opensfm.h"
 #include "openvins/openvins.h"
 #include "orbslam3/orbslam3.h"
@@ -37,14 +41,15 @@ namespace {
 
 const auto& table() {
   static const std::array kTable = {
-      guarded<kalibr::kFormat>(),  guarded<opencv::kFormat>(),    guarded<ocamcalib::kFormat>(),
-      guarded<tumvi::kFormat>(),   guarded<orbslam3::kFormat>(),  guarded<woodscape::kFormat>(),
-      guarded<basalt::kFormat>(),  guarded<openvins::kFormat>(),  guarded<vins::kFormat>(),
-      guarded<ros::kFormat>(),     guarded<euroc::kFormat>(),     guarded<kimera::kFormat>(),
-      guarded<mrcal::kFormat>(),   guarded<colmap::kFormat>(),    guarded<nerfstudio::kFormat>(),
-      guarded<stella::kFormat>(),  guarded<fast_livo::kFormat>(), guarded<mast3r::kFormat>(),
-      guarded<opensfm::kFormat>(), guarded<metashape::kFormat>(), guarded<kitti::kFormat>(),
-      guarded<ncore::kFormat>(),   guarded<rays::kFormat>(),
+      guarded<kalibr::kFormat>(),    guarded<opencv::kFormat>(),    guarded<ocamcalib::kFormat>(),
+      guarded<tumvi::kFormat>(),     guarded<orbslam3::kFormat>(),  guarded<woodscape::kFormat>(),
+      guarded<basalt::kFormat>(),    guarded<openvins::kFormat>(),  guarded<vins::kFormat>(),
+      guarded<ros::kFormat>(),       guarded<euroc::kFormat>(),     guarded<kimera::kFormat>(),
+      guarded<mrcal::kFormat>(),     guarded<colmap::kFormat>(),    guarded<nerfstudio::kFormat>(),
+      guarded<stella::kFormat>(),    guarded<fast_livo::kFormat>(), guarded<mast3r::kFormat>(),
+      guarded<opensfm::kFormat>(),   guarded<metashape::kFormat>(), guarded<kitti::kFormat>(),
+      guarded<ncore::kFormat>(),     guarded<openicc::kFormat>(),   guarded<depthai::kFormat>(),
+      guarded<realsense::kFormat>(), guarded<zed::kFormat>(),       guarded<rays::kFormat>(),
   };
   return kTable;
 }

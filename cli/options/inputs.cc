@@ -102,7 +102,7 @@ void add_input_options(Options& options, Inputs& inputs) {
         return std::nullopt;
       },
       OptionKey::kCameras);
-  options.value("--size", "WxH", "Image size of an input that does not state one: 640x480",
+  options.value("--size", "WxH", "Image size of an input that does not state one, or has a lens for each of several: 640x480",
                 [&inputs](const std::string& word) { return take_size("--size", word, inputs.image_size); });
   options.value("--unit", "m|cm|mm",
                 "The unit of translations in files that do not state it (OpenCV's, COLMAP's; default: metres)",

@@ -96,13 +96,16 @@ class ImageCheck {
 
 bool check_image(const Subject& subject, Findings& findings) {
   bool any = false;
-  for (const Camera& camera : subject.rig().cameras) {
+  const std::optional<ImageSize>& told = subject.options.reading.image_size;
+  const std::vector<Camera>& cameras = subject.rig().cameras;
+  // Of several cameras those whose size is stated may have another one.
+  const bool is_told_of_one = std::ranges::find(cameras, told, &Camera::image_size) != cameras.end();
+  for (const Camera& camera : cameras) {
     if (!camera.image_size) {
       findings.undecided(Code::kImageNotJudged, {camera.name});
       continue;
     }
-    const std::optional<ImageSize>& told = subject.options.reading.image_size;
-    if (told && *told != *camera.image_size) {
+    if (told && !is_told_of_one) {
       findings.add(Code::kSizeToldDiffers,
                    {camera.name, camera.image_size->width, camera.image_size->height, told->width, told->height},
                    subject.places.image_width(camera));

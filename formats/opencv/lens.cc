@@ -105,17 +105,9 @@ class LensReader {
       reader_.say(node, Code::kOpencvCoefficientCount, {what, count});
       return std::nullopt;
     }
-    const auto all_zero = [&D](std::size_t from, std::size_t to) {
-      return std::all_of(D.values.begin() + static_cast<std::ptrdiff_t>(from),
-                         D.values.begin() + static_cast<std::ptrdiff_t>(to), [](double v) { return v == 0.0; });
-    };
-    if (count > kRationalCount && !all_zero(kRationalCount, count)) {
-      return with("opencv14", kOpenCvCoefficients, D, what);
-    }
-    if (all_zero(0, std::min(count, kRationalCount))) return make_model("pinhole");
-    if (count == kRadtanCount || (count > kRationalCount && all_zero(kRadtanCount, kRationalCount)))
-      return with("radtan", of_opencv.first(kRadtanCount), D, what);
-    return with("rational", of_opencv.first(kRationalCount), D, what);
+    const std::string_view model = model_of_coefficients(D.values);
+    const std::size_t used = opencv_count(model);
+    return used == 0 ? make_model(model) : with(model, of_opencv.first(used), D, what);
   }
 
   /// What the file says of a camera's four numbers.
@@ -194,6 +186,17 @@ class LensReader {
 };
 
 }  // namespace
+
+std::string_view model_of_coefficients(std::span<const double> D) {
+  const auto is_zero = [](double value) { return value == 0.0; };
+  const auto all_zero = [&D, is_zero](std::size_t from, std::size_t to) {
+    return std::ranges::all_of(D.subspan(from, to - from), is_zero);
+  };
+  if (D.size() > kRationalCount && !all_zero(kRationalCount, D.size())) return "opencv14";
+  if (all_zero(0, std::min(D.size(), kRationalCount))) return "pinhole";
+  const bool is_radtan = D.size() <= kRadtanCount || (D.size() > kRationalCount && all_zero(kRadtanCount, kRationalCount));
+  return is_radtan ? "radtan" : "rational";
+}
 
 std::optional<CameraModel> read_lens(const Layout& layout, const CameraKeys& keys, const Node& map, const ReadOptions& options,
                                      fields::Reader& reader) {

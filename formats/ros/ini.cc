@@ -3,6 +3,8 @@
 
 #include "camera_info.h"
 
+#include "../ini_sections.h"
+
 #include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 
@@ -15,33 +17,6 @@ using text::Node;
 
 namespace {
 
-/// A line that is neither blank nor a comment.
-struct Line {
-  const Node* node = nullptr;  ///< Its words.
-  std::string text;            ///< Without blanks around it.
-};
-
-struct Section {
-  Line header;
-  std::vector<Line> lines;
-};
-
-std::vector<Line> lines_of(const text::Document& document) {
-  std::vector<Line> lines;
-  for (const Node& node : document.root().items) {
-    if (node.items.empty()) continue;
-    std::string text = document.source().bytes.substr(node.span.offset, node.span.length);
-    if (text.starts_with('#') || text.starts_with(';')) continue;
-    lines.push_back({&node, std::move(text)});
-  }
-  return lines;
-}
-
-/// As parse_ini.cpp has it: brackets, wherever they stand.
-bool is_header(const Line& line) {
-  return line.text.find('[') != std::string::npos && line.text.find(']') != std::string::npos;
-}
-
 class IniFinder {
  public:
   explicit IniFinder(fields::Reader& reader) : reader_(reader) {}
@@ -49,7 +24,7 @@ class IniFinder {
   std::optional<std::vector<CameraInfo>> run() {
     std::vector<CameraInfo> infos;
     CameraInfo image;
-    for (const Section& section : sections()) {
+    for (const IniSection& section : ini_sections_of(reader_.document())) {
       if (section.header.text == "[image]") {
         image = {};
         if (!read_image(section, image)) return std::nullopt;
@@ -69,21 +44,9 @@ class IniFinder {
   }
 
  private:
-  std::vector<Section> sections() {
-    std::vector<Section> result;
-    for (Line& line : lines_of(reader_.document())) {
-      if (is_header(line)) {
-        result.push_back({std::move(line), {}});
-      } else if (!result.empty()) {
-        result.back().lines.push_back(std::move(line));
-      }
-    }
-    return result;
-  }
-
   /// The line behind a key; nothing, with an error, where there is none.
-  std::optional<std::size_t> value_of(const Section& section, std::string_view key) {
-    const auto found = std::ranges::find(section.lines, key, &Line::text);
+  std::optional<std::size_t> value_of(const IniSection& section, std::string_view key) {
+    const auto found = std::ranges::find(section.lines, key, &IniLine::text);
     if (found == section.lines.end() || found + 1 == section.lines.end()) {
       reader_.say(*section.header.node, Code::kRosIniKeyMissing, {section.header.text, key});
       return std::nullopt;
@@ -91,7 +54,7 @@ class IniFinder {
     return static_cast<std::size_t>(found + 1 - section.lines.begin());
   }
 
-  bool read_image(const Section& section, CameraInfo& info) {
+  bool read_image(const IniSection& section, CameraInfo& info) {
     const std::optional<std::size_t> width = value_of(section, "width");
     const std::optional<std::size_t> height = value_of(section, "height");
     if (!width || !height) return false;
@@ -100,7 +63,7 @@ class IniFinder {
     return true;
   }
 
-  bool read_camera(const Section& section, CameraInfo& info) {
+  bool read_camera(const IniSection& section, CameraInfo& info) {
     const std::string& header = section.header.text;
     info.name = text::printable(std::string_view(header).substr(1, header.size() - 2));
     info.counted = true;
@@ -109,7 +72,7 @@ class IniFinder {
            read_matrix(section, "rectification", 3, 3, info.R) && read_matrix(section, "projection", 3, 4, info.P);
   }
 
-  bool read_row(const Line& line, const std::string& what, Numbers& numbers) {
+  bool read_row(const IniLine& line, const std::string& what, Numbers& numbers) {
     for (const Node& word : line.node->items) {
       const std::optional<double> value = reader_.real(word, what);
       if (!value) return false;
@@ -119,14 +82,14 @@ class IniFinder {
     return true;
   }
 
-  bool read_matrix(const Section& section, const std::string& key, std::size_t rows, std::size_t columns,
+  bool read_matrix(const IniSection& section, const std::string& key, std::size_t rows, std::size_t columns,
                    std::optional<Numbers>& into) {
     const std::optional<std::size_t> first = value_of(section, key);
     if (!first) return false;
     Numbers numbers{section.lines[*first].node, {}, {}};
     for (std::size_t row = 0; row < rows; ++row) {
       const bool there = *first + row < section.lines.size();
-      const Line& line = section.lines[there ? *first + row : section.lines.size() - 1];
+      const IniLine& line = section.lines[there ? *first + row : section.lines.size() - 1];
       const std::size_t count = there ? line.node->items.size() : 0;
       if (there && !read_row(line, key, numbers)) return false;
       if (count == columns) continue;
@@ -138,10 +101,10 @@ class IniFinder {
   }
 
   /// parse_ini.cpp: 8 numbers where there are more than 5, else 5; what is missing becomes nan.
-  bool read_coefficients(const Section& section, Numbers& numbers) {
+  bool read_coefficients(const IniSection& section, Numbers& numbers) {
     const std::optional<std::size_t> first = value_of(section, "distortion");
     if (!first) return false;
-    const Line& line = section.lines[*first];
+    const IniLine& line = section.lines[*first];
     numbers.place = line.node;
     if (!read_row(line, "distortion", numbers)) return false;
     constexpr std::size_t kPlumbBob = 5;
@@ -166,11 +129,11 @@ std::optional<std::vector<CameraInfo>> find_in_ini(fields::Reader& reader) { ret
 
 bool looks_like_ini(const text::Document& document) {
   if (document.syntax() != text::Syntax::kWords) return false;
-  const std::vector<Line> lines = lines_of(document);
+  const std::vector<IniLine> lines = ini_lines_of(document);
   // Other programs' .ini files have key = value.
   constexpr std::array<std::string_view, 4> kOwnLines = {"width", "height", "camera matrix", "distortion"};
-  const auto is_own = [&kOwnLines](const Line& line) { return std::ranges::find(kOwnLines, line.text) != kOwnLines.end(); };
-  return !lines.empty() && is_header(lines.front()) && std::ranges::any_of(lines, is_own);
+  const auto is_own = [&kOwnLines](const IniLine& line) { return std::ranges::find(kOwnLines, line.text) != kOwnLines.end(); };
+  return !lines.empty() && is_ini_header(lines.front()) && std::ranges::any_of(lines, is_own);
 }
 
 bool ini_holds(std::string_view model) { return model == "radtan" || model == "rational" || model == "pinhole"; }

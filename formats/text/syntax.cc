@@ -104,6 +104,17 @@ bool begins_as_ini(std::span<const std::string_view> lines) {
   return brackets && std::isalpha(static_cast<unsigned char>(words_of(lines[1]).front()[0])) != 0 && !can_begin_yaml(lines[1]);
 }
 
+/// What the tools of RealSense cameras print, whatever stands before it: neither YAML nor lines of another syntax.
+bool is_print_of_realsense(std::string_view text) {
+  if (text.find("(rs2_intrinsics {") != std::string_view::npos) return true;
+  constexpr std::string_view kHead = "Intrinsic of \"";
+  for (std::size_t at = text.find(kHead); at != std::string_view::npos; at = text.find(kHead, at + 1)) {
+    const std::size_t line = text.rfind('\n', at) + 1;  // 0 of npos
+    if (text.substr(line, at - line).find_first_not_of(kBlanks) == std::string_view::npos) return true;
+  }
+  return false;
+}
+
 std::string_view content_of(const Source& source) {
   std::string_view text = std::string_view(source.bytes).substr(source.byte_order_mark());
   text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
@@ -135,6 +146,7 @@ Syntax choose_syntax(const Source& source) {
   if (begins_as_python(source, text)) return Syntax::kPython;
   if (begins_as_json(text)) return Syntax::kJson;
 
+  if (is_print_of_realsense(text)) return Syntax::kWords;
   const std::vector<std::string_view> lines = first_lines(text, 2);
   if (!lines.empty() && is_line_of_numbers(lines.front())) return Syntax::kWords;
   if (begins_as_ini(lines)) return Syntax::kWords;

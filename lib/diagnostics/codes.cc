@@ -34,6 +34,7 @@ std::vector<CodeInfo> joined_topics() {
            diagnostics::basalt_codes(),
            diagnostics::table_codes(),
            diagnostics::slam_codes(),
+           diagnostics::device_codes(),
            diagnostics::sensor_codes(),
            diagnostics::mrcal_codes(),
            diagnostics::colmap_codes(),

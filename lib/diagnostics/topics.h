@@ -28,6 +28,7 @@ namespace fca::diagnostics {
 [[nodiscard]] std::span<const CodeInfo> basalt_codes();
 [[nodiscard]] std::span<const CodeInfo> table_codes();
 [[nodiscard]] std::span<const CodeInfo> slam_codes();
+[[nodiscard]] std::span<const CodeInfo> device_codes();
 [[nodiscard]] std::span<const CodeInfo> sensor_codes();
 [[nodiscard]] std::span<const CodeInfo> mrcal_codes();
 [[nodiscard]] std::span<const CodeInfo> colmap_codes();

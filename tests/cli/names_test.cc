@@ -21,6 +21,12 @@ TEST(Names, EveryProgramIsServedOrAnswered) {
       const std::string typed(name);
       EXPECT_EQ(find_format(typed), nullptr) << typed << " is a format, and needs no other name";
       const RunResult run = run_program({"convert", kTumvi, "--camera", "0", "--max-angle", "40", "--to", typed});
+      if (!find_format(program.format)->is_written()) {
+        EXPECT_EQ(run.code, 3) << typed;
+        EXPECT_TRUE(contains(run.err, std::string(program.title))) << typed << ": " << run.err;
+        EXPECT_FALSE(contains(run_program({"show", kTumvi, "--from", typed}).err, "unknown format")) << typed;
+        continue;
+      }
       if (program.is_served()) {
         EXPECT_NE(run.code, 3) << typed << run.err;
         continue;

@@ -33,6 +33,10 @@ inline constexpr std::array kSharedFolders = {
     SharedFolders{"nerfstudio", "extra/transforms_json", ""},
     SharedFolders{"stella", "extra/stella_vslam", ""},
     SharedFolders{"fast-livo", "extra/fast_livo", ""},
+    SharedFolders{"depthai", "extra/depthai", ""},
+    SharedFolders{"openicc", "extra/openicc", ""},
+    SharedFolders{"zed", "extra/zed_conf", ""},
+    SharedFolders{"realsense", "extra/realsense", ""},
 };
 
 /// Those of a format that are there: OpenVINS' files lie among Kalibr's.

@@ -78,7 +78,10 @@ struct Outcome {
 Outcome read(const fs::path& path) {
   Outcome outcome;
   std::optional<text::Document> document = text::read_document(path.string(), outcome.diagnostics);
-  if (document) outcome.calibration = read_calibration({*std::move(document)}, nullptr, {}, outcome.diagnostics);
+  ReadOptions options;
+  // Of a lens for each size of images one has to be chosen.
+  if (path.parent_path().filename() == "zed_conf") options.image_size = ImageSize{1280, 720};
+  if (document) outcome.calibration = read_calibration({*std::move(document)}, nullptr, options, outcome.diagnostics);
   return outcome;
 }
 

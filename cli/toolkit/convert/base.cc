@@ -25,6 +25,11 @@ std::optional<Calibration> read_into(const ConvertRequest& request, Files& files
     result.status = Status::kBadRequest;
     return std::nullopt;
   }
+  if (into && !into->format->is_written()) {
+    result.diagnostics.add(Code::kFormatIsReadOnly, {into->format->title}, {request.into, 0, 0});
+    result.status = Status::kBadRequest;
+    return std::nullopt;
+  }
   if (!into || request.to == nullptr || request.to == into->format) return into;
   result.diagnostics.add(Code::kIntoAnotherFormat, {into->format->title, request.to->id}, {request.into, 0, 0});
   result.status = Status::kBadRequest;

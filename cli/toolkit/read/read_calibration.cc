@@ -116,9 +116,9 @@ bool add_parts(const Format& format, Files& files, std::vector<text::Document>& 
 bool has_given_size(const Inputs& inputs, const Calibration& calibration, Diagnostics& diagnostics) {
   const std::optional<ImageSize>& size = inputs.image_size;
   if (!size) return true;
-  // Of several files those that state a size may state another one.
+  // Of several cameras those whose size is stated may have another one.
   const bool of_one_of_many =
-      inputs.join && std::ranges::find(calibration.rig.cameras, size, &Camera::image_size) != calibration.rig.cameras.end();
+      std::ranges::find(calibration.rig.cameras, size, &Camera::image_size) != calibration.rig.cameras.end();
   for (const Camera& camera : calibration.rig.cameras) {
     if (camera.image_size == size || of_one_of_many) continue;
     diagnostics.add(Code::kGivenSizeContradicts,

@@ -268,7 +268,7 @@ using Table = std::map<std::pair<std::string, std::string>, Cell>;
 
 void print(const Table& table) {
   std::vector<std::string> ids;
-  for (const Format& format : written_formats()) ids.emplace_back(format.id);
+  for (const Format& format : all_formats()) ids.emplace_back(format.id);
   std::cout << "worst difference / largest reported maximum [px], least compared share of what is scored, cameras + poses\n";
   for (const std::string& from : ids) {
     for (const std::string& to : ids) {
@@ -332,15 +332,19 @@ std::vector<Source> corpus_sources(const std::string& format) {
 
 /// Of our own files those that hold other parts of a calibration.
 bool holds_no_camera(const fs::path& path) {
-  static const std::set<std::string> kParts = {"imu.yaml", "extrinsics.yml", "config.yaml", "rig-poses-crlf.json"};
+  static const std::set<std::string> kParts = {"imu.yaml", "extrinsics.yml", "config.yaml", "rig-poses-crlf.json",
+                                               "imu-result.json"};
   return path.filename().string().find("-rig.json") != std::string::npos || path.stem().string().ends_with("rigs") ||
          kParts.contains(path.filename().string());
 }
 
 /// Of our own files that state no size.
 std::optional<Size> size_of_sizeless(const fs::path& path) {
-  static const std::map<std::string, Size> sizes = {
-      {"k1d1.yml", {640, 360}}, {"stereo-14.yml", {640, 480}}, {"rig-config.json", {640, 480}}, {"two-rigs.json", {640, 480}}};
+  static const std::map<std::string, Size> sizes = {{"k1d1.yml", {640, 360}},
+                                                    {"stereo-14.yml", {640, 480}},
+                                                    {"rig-config.json", {640, 480}},
+                                                    {"two-rigs.json", {640, 480}},
+                                                    {"version-5.json", {1280, 800}}};
   const auto found = sizes.find(path.filename().string());
   return found == sizes.end() ? std::nullopt : std::optional(found->second);
 }
@@ -457,7 +461,7 @@ class Matrix {
 };
 
 TEST(Matrix, EveryFormatHasAnIndependentReader) {
-  for (const Format& format : written_formats()) {
+  for (const Format& format : all_formats()) {
     EXPECT_NE(find_reader(std::string(format.id)), nullptr)
         << "write tests/formats/matrix/pixels_" << format.id << ".cc: what the format's own program reads and computes";
   }
@@ -482,7 +486,7 @@ TEST_P(MatrixFrom, EveryTargetReproducesTheSourcesPixels) {
 
 std::vector<const Format*> formats() {
   std::vector<const Format*> result;
-  for (const Format& format : written_formats()) result.push_back(&format);
+  for (const Format& format : all_formats()) result.push_back(&format);
   return result;
 }
 

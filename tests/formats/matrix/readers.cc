@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pixels_basalt.h"
 #include "pixels_colmap.h"
+#include "pixels_depthai.h"
 #include "pixels_euroc.h"
 #include "pixels_fast_livo.h"
 #include "pixels_kalibr.h"
@@ -9,13 +10,16 @@
 #include "pixels_nerfstudio.h"
 #include "pixels_ocamcalib.h"
 #include "pixels_opencv.h"
+#include "pixels_openicc.h"
 #include "pixels_openvins.h"
 #include "pixels_orbslam3.h"
+#include "pixels_realsense.h"
 #include "pixels_ros.h"
 #include "pixels_stella.h"
 #include "pixels_tumvi.h"
 #include "pixels_vins.h"
 #include "pixels_woodscape.h"
+#include "pixels_zed.h"
 
 namespace fca::matrix {
 
@@ -38,6 +42,10 @@ const FormatReader* find_reader(const std::string& id) {
       {"nerfstudio", nerfstudio::camera, nerfstudio::relative_poses},
       {"stella", stella::camera, stella::relative_poses},
       {"fast-livo", fast_livo::camera, fast_livo::relative_poses},
+      {"depthai", depthai::camera, depthai::relative_poses},
+      {"openicc", openicc::camera, openicc::relative_poses},
+      {"zed", zed::camera, zed::relative_poses},
+      {"realsense", realsense::camera, realsense::relative_poses},
   };
   for (const FormatReader& reader : readers) {
     if (reader.id == id) return &reader;

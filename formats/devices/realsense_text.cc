@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "realsense_text.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace fca::realsense {
+
+using text::Node;
+
+namespace {
+
+constexpr std::string_view kSpaces = " \t\r";
+
+/// Part of a line as a node.
+Node node_of(const IniLine& line, std::size_t begin, std::size_t end) {
+  Node node;
+  node.kind = text::NodeKind::kScalar;
+  node.value = line.text.substr(begin, end - begin);
+  node.span = {line.node->span.offset + begin, end - begin};
+  return node;
+}
+
+/// What stands between quotes in a line.
+std::vector<std::string> quoted_in(const std::string& text) {
+  std::vector<std::string> names;
+  for (std::size_t open = text.find('"'); open != std::string::npos;) {
+    const std::size_t close = text.find('"', open + 1);
+    if (close == std::string::npos) break;
+    names.push_back(text.substr(open + 1, close - open - 1));
+    open = text.find('"', close + 1);
+  }
+  return names;
+}
+
+/// The words of a line behind its first colon.
+std::vector<Node> words_behind_colon(const IniLine& line) {
+  const std::size_t colon = line.node->span.offset + line.text.find(':');
+  std::vector<Node> words;
+  std::ranges::copy_if(line.node->items, std::back_inserter(words),
+                       [colon](const Node& word) { return word.span.offset > colon; });
+  return words;
+}
+
+/// One block of rs-enumerate-devices after the other.
+class Printed {
+ public:
+  std::vector<Block> run(const std::vector<IniLine>& lines) {
+    for (const IniLine& line : lines) {
+      if (!begin_block(line)) add_to_block(line);
+    }
+    return std::move(blocks_);
+  }
+
+ private:
+  bool begin_block(const IniLine& line) {
+    struct Head {
+      std::string_view words;
+      Block::Kind kind;
+      std::size_t names;
+    };
+    constexpr std::array kHeads = {Head{"Intrinsic of \"", Block::Kind::kStream, 1},
+                                   Head{"Motion Intrinsic of \"", Block::Kind::kMotion, 1},
+                                   Head{"Extrinsic from \"", Block::Kind::kPose, 2}};
+    for (const Head& head : kHeads) {
+      if (!line.text.starts_with(head.words)) continue;
+      const std::vector<std::string> names = quoted_in(line.text);
+      if (names.size() < head.names) return false;
+      blocks_.push_back({head.kind, line.node, names.front(), head.names > 1 ? names[1] : ""});
+      rows_.clear();
+      return true;
+    }
+    return false;
+  }
+
+  void add_to_block(const IniLine& line) {
+    if (blocks_.empty()) return;
+    const std::size_t colon = line.text.find(':');
+    auto& values = blocks_.back().values;
+    if (colon == std::string::npos) {  // a row of a matrix
+      if (!rows_.empty()) std::ranges::copy(line.node->items, std::back_inserter(values[rows_]));
+      return;
+    }
+    std::string key = line.text.substr(0, colon);
+    key.erase(key.find_last_not_of(kSpaces) + 1);
+    std::vector<Node> words = words_behind_colon(line);
+    rows_ = words.empty() ? key : "";
+    if (!words.empty()) values.emplace(key, std::move(words));
+  }
+
+  std::vector<Block> blocks_ = {};
+  std::string rows_ = {};  ///< The key whose rows follow; empty: none.
+};
+
+/// Behind "width: " up to a comma, a bracket or a brace; of "[1.0, 2.0]" each number.
+std::vector<Node> values_behind(const IniLine& line, const std::string& key) {
+  std::vector<Node> values;
+  const std::size_t at = line.text.find(" " + key + ": ");
+  if (at == std::string::npos) return values;
+  std::size_t begin = at + key.size() + 3;
+  const bool is_list = line.text[begin] == '[';
+  if (is_list) ++begin;
+  const std::size_t list_end = std::min(line.text.find_first_of(is_list ? "]" : ",}", begin), line.text.size());
+  while (begin < list_end) {
+    const std::size_t end = std::min(line.text.find(',', begin), list_end);
+    const std::size_t first = line.text.find_first_not_of(kSpaces, begin);
+    const std::size_t last = end == 0 ? 0 : line.text.find_last_not_of(kSpaces, end - 1);
+    if (first < end && last != std::string::npos && last >= first) values.push_back(node_of(line, first, last + 1));
+    begin = end + 1;
+  }
+  return values;
+}
+
+constexpr std::string_view kRustIntrinsics = "(rs2_intrinsics {";
+constexpr std::string_view kRustExtrinsics = "(rs2_extrinsics {";
+
+Block intrinsics_of_rust(const IniLine& line, std::string name) {
+  constexpr std::array<std::pair<const char*, const char*>, 8> kKeys = {{{"width", "Width"},
+                                                                         {"height", "Height"},
+                                                                         {"ppx", "PPX"},
+                                                                         {"ppy", "PPY"},
+                                                                         {"fx", "Fx"},
+                                                                         {"fy", "Fy"},
+                                                                         {"model", "Distortion"},
+                                                                         {"coeffs", "Coeffs"}}};
+  Block block{Block::Kind::kStream, line.node, std::move(name)};
+  for (const auto& [rust, printed] : kKeys) block.values[printed] = values_behind(line, rust);
+  return block;
+}
+
+std::optional<Block> extrinsics_of_rust(const IniLine& line, const std::string& names) {
+  constexpr std::string_view kTo = " to ";
+  const std::size_t to = names.find(kTo);
+  if (to == std::string::npos) return std::nullopt;
+  Block block{Block::Kind::kPose, line.node, names.substr(0, to), names.substr(to + kTo.size())};
+  std::vector<Node>& R = block.values["Rotation Matrix"] = values_behind(line, "rotation");
+  constexpr std::size_t kElements = 9;
+  if (R.size() == kElements) {
+    std::swap(R[1], R[3]);
+    std::swap(R[2], R[6]);
+    std::swap(R[5], R[7]);
+  }
+  block.values["Translation Vector"] = values_behind(line, "translation");
+  return block;
+}
+
+std::optional<Block> block_of_rust(const IniLine& line) {
+  const std::size_t structure = std::min(line.text.find(kRustIntrinsics), line.text.find(kRustExtrinsics));
+  if (structure == std::string::npos) return std::nullopt;
+  // What is printed before "Ok(".
+  std::string name = line.text.substr(0, line.text.rfind(' ', line.text.find('(')));
+  name.erase(name.find_last_not_of(" \t:") + 1);
+  if (line.text.find(kRustIntrinsics) == structure) return intrinsics_of_rust(line, std::move(name));
+  return extrinsics_of_rust(line, name);
+}
+
+}  // namespace
+
+std::vector<Block> blocks_of(const text::Document& document) {
+  if (document.syntax() != text::Syntax::kWords) return {};
+  const std::vector<IniLine> lines = ini_lines_of(document);
+  std::vector<Block> blocks;
+  for (const IniLine& line : lines) {
+    if (std::optional<Block> block = block_of_rust(line)) blocks.push_back(*std::move(block));
+  }
+  return blocks.empty() ? Printed().run(lines) : blocks;
+}
+
+}  // namespace fca::realsense
