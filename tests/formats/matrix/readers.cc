@@ -6,11 +6,16 @@
 #include "pixels_fast_livo.h"
 #include "pixels_kalibr.h"
 #include "pixels_kimera.h"
+#include "pixels_kitti.h"
+#include "pixels_mast3r.h"
+#include "pixels_metashape.h"
 #include "pixels_mrcal.h"
+#include "pixels_ncore.h"
 #include "pixels_nerfstudio.h"
 #include "pixels_ocamcalib.h"
 #include "pixels_opencv.h"
 #include "pixels_openicc.h"
+#include "pixels_opensfm.h"
 #include "pixels_openvins.h"
 #include "pixels_orbslam3.h"
 #include "pixels_realsense.h"
@@ -42,6 +47,11 @@ const FormatReader* find_reader(const std::string& id) {
       {"nerfstudio", nerfstudio::camera, nerfstudio::relative_poses},
       {"stella", stella::camera, stella::relative_poses},
       {"fast-livo", fast_livo::camera, fast_livo::relative_poses},
+      {"mast3r", mast3r::camera, mast3r::relative_poses},
+      {"opensfm", opensfm::camera, opensfm::relative_poses},
+      {"metashape", metashape::camera, metashape::relative_poses},
+      {"kitti", kitti::camera, kitti::relative_poses},
+      {"ncore", ncore::camera, ncore::relative_poses},
       {"depthai", depthai::camera, depthai::relative_poses},
       {"openicc", openicc::camera, openicc::relative_poses},
       {"zed", zed::camera, zed::relative_poses},

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// NCore's cameras with OpenCV's lenses by its data/types.py (NVIDIA/ncore@77144a9): pixels count from the image's corner, and
+// T_sensor_rig is where the camera is in the vehicle.
+#include "pixels_ncore.h"
+
+#include "opencv_lens.h"
+
+#include <rapidjson/document.h>
+
+namespace fca::matrix::ncore {
+
+namespace {
+
+std::vector<double> numbers_of(const rapidjson::Value& list) {
+  std::vector<double> numbers;
+  for (const rapidjson::Value& number : list.GetArray()) numbers.push_back(number.GetDouble());
+  return numbers;
+}
+
+Pose pose_of(const rapidjson::Value& camera) {
+  Pose pose{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    const std::vector<double> numbers = numbers_of(camera["T_sensor_rig"][static_cast<rapidjson::SizeType>(row)]);
+    for (std::size_t column = 0; column < 4; ++column) pose[row][column] = numbers[column];
+  }
+  return pose;
+}
+
+}  // namespace
+
+std::optional<PixelFormula> camera(const std::string& bytes, std::size_t index) {
+  rapidjson::Document document;
+  document.Parse<rapidjson::kParseFullPrecisionFlag>(bytes.c_str(), bytes.size());
+  if (document.HasParseError() || index >= document.MemberCount()) return std::nullopt;
+  const rapidjson::Value& entry = (document.MemberBegin() + static_cast<std::ptrdiff_t>(index))->value;
+  const rapidjson::Value& in = entry["intrinsics"];
+  const std::vector<double> k = numbers_of(in["radial_coeffs"]);
+  RayToPixel lens;
+  if (std::string(entry["camera_model_type"].GetString()) == "opencv-fisheye") {
+    lens = fisheye(k);
+  } else {
+    const std::vector<double> p = numbers_of(in["tangential_coeffs"]);
+    const std::vector<double> s = numbers_of(in["thin_prism_coeffs"]);
+    lens = pinhole({k[0], k[1], p[0], p[1], k[2], k[3], k[4], k[5], s[0], s[1], s[2], s[3]});
+  }
+  const std::vector<double> f = numbers_of(in["focal_length"]);
+  const std::vector<double> c = numbers_of(in["principal_point"]);
+  PixelFormula formula;
+  formula.pixel = in_image(lens, f[0], f[1], c[0] - 0.5, c[1] - 0.5);
+  formula.size = Size{entry["resolution"][0].GetInt(), entry["resolution"][1].GetInt()};
+  return formula;
+}
+
+std::vector<Pose> relative_poses(const std::vector<std::string>& files) {
+  rapidjson::Document document;
+  document.Parse<rapidjson::kParseFullPrecisionFlag>(files.front().c_str(), files.front().size());
+  if (document.HasParseError() || document.MemberCount() < 2) return {};
+  return {inverse(pose_of((document.MemberBegin() + 1)->value)) * pose_of(document.MemberBegin()->value)};
+}
+
+}  // namespace fca::matrix::ncore
