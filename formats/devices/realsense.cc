@@ -290,7 +290,7 @@ class PrintReader {
 };
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
-  if (documents.size() != 1 || documents.front().syntax() != text::Syntax::kWords) {
+  if (documents.size() != 1) {
     diagnostics.add(Code::kTableWrongSyntax, {}, {documents.empty() ? "" : documents.front().source().name, 0, 0});
     return std::nullopt;
   }

@@ -126,6 +126,7 @@ std::string others_text(const Rig& rig) {
 }
 
 std::string readers_text(const Readers& readers) {
+  if (readers.programs.empty()) return "";  // of a format that is only read
   std::string text = "\nread by\n";
   for (const Readers::Program& program : readers.programs) {
     text += "  " + program.program + ": ";
