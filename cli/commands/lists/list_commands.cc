@@ -128,7 +128,6 @@ ExitCode list_formats(const ListArguments& arguments, Console& console) {
           json.put("extrinsics", format.extrinsics);
           json.put("imu", format.imu);
           json.put("image_size", format.image_size);
-          json.put("written", format.is_written());
           json.array("models", format.models, [&](const StoredModel& row) {
             json.object([&] {
               json.put("model", row.model);
