@@ -3,7 +3,9 @@
 // opencv.c's formula, which is cv::projectPoints' but for points at z = 0. The two versions differ in the pose: the one demands
 // extrinsics, the other rt_cam_ref, or extrinsics, and the same from both.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -20,6 +22,18 @@ using python::Kind;
 using python::Value;
 
 constexpr std::string_view kProgram = "mrcal";
+
+/// An element of np.array(list, dtype=float), which takes texts of numbers, too.
+std::optional<double> as_float(const Value& value) {
+  if (value.is_number()) return value.number;
+  if (value.kind == Kind::kNone) return std::numeric_limits<double>::quiet_NaN();
+  double number = 0.0;
+  const char* const end = value.text.data() + value.text.size();
+  const auto [stop, error] = std::from_chars(value.text.data(), end, number);
+  const bool is_whole = value.kind == Kind::kString && error == std::errc() && stop == end;
+  return is_whole ? std::optional(number) : std::nullopt;
+}
+
 constexpr std::size_t kCore = 4;  ///< fx fy cx cy
 
 struct Lens {
@@ -31,6 +45,12 @@ constexpr std::array kLenses = {Lens{"LENSMODEL_PINHOLE", kCore}, Lens{"LENSMODE
                                 Lens{"LENSMODEL_OPENCV12", kCore + 12}};
 constexpr std::array<std::string_view, 5> kOthers = {"LENSMODEL_STEREOGRAPHIC", "LENSMODEL_LONLAT", "LENSMODEL_LATLON",
                                                      "LENSMODEL_CAHVOR", "LENSMODEL_SPLINED_STEREOGRAPHIC_"};
+
+std::string described(const Value& value) {
+  constexpr std::size_t kLongest = 40;
+  if (value.kind == Kind::kList) return "a list";
+  return value.kind == Kind::kDict ? "a dict" : "'" + value.text.substr(0, kLongest) + "'";
+}
 
 class Model {
  public:
@@ -97,11 +117,13 @@ class Model {
     }
     std::vector<double> values;
     for (const Value& item : list->items) {
-      if (!item.is_number()) {
-        refuse(Code::kProgramSaysNoNumber, key, {item.text, kProgram});
+      // Of the pose mrcal asks each for its type.
+      const std::optional<double> number = count && !item.is_number() ? std::nullopt : as_float(item);
+      if (!number) {
+        refuse(Code::kProgramSaysNoNumber, key, {described(item), kProgram});
         return std::nullopt;
       }
-      values.push_back(item.number);
+      values.push_back(*number);
     }
     if (list->kind == Kind::kList && (!count || values.size() == *count)) return values;
     refuse(Code::kProgramSaysNumberCount, key, {count.value_or(kCore), kProgram});
@@ -189,7 +211,8 @@ class Model {
     // Points from behind are mirrored without a word; at z = 0 it is not a number.
     camera.project = [K, d](const std::array<double, 3>& ray) -> std::optional<std::array<double, 2>> {
       if (ray[2] == 0.0) return std::nullopt;
-      return opencv::project_points(K, d, ray);
+      const opencv::Pixel pixel = opencv::project_points(K, d, ray);
+      return std::isfinite(pixel[0]) && std::isfinite(pixel[1]) ? std::optional(pixel) : std::nullopt;
     };
     view_.cameras.push_back(std::move(camera));
   }

@@ -64,8 +64,9 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   reading.camera = &camera;
   if (!schema::read_mapping(reading, kSchema.root, root)) return std::nullopt;
   if (!make_table_of_rays(reader, root, reading.lens, camera)) return std::nullopt;
-  if (rig.poses.empty() && reader.require(root, kPoseKeys.back(), kSchema.what) == nullptr) return std::nullopt;
+  const bool has_pose = !rig.poses.empty() || reader.require(root, kPoseKeys.back(), kSchema.what) != nullptr;
   reader.warn_of_misspelt();  // keeping what no row reads asks for all keys
+  if (!has_pose) return std::nullopt;
   schema::keep_unread(reading, kSchema.root, root, camera.name);
   rig.cameras.push_back(std::move(camera));
   return rig;
@@ -74,7 +75,6 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   if (!writable_alone(kFormat, rig, Message{Code::kMrcalDemandsSize}, diagnostics)) return std::nullopt;
-  if (!schema::are_rotations(rig, kPose, Code::kMrcalMirror, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   // A lens of mrcal's own has become another one.
@@ -99,7 +99,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   add_extras_lost(rig, edits ? old->extra_fields : std::vector<ExtraField>(), edits ? std::nullopt : there, no_place,
                   written.losses);
   schema::list_losses(kSchema, rig, no_place, written.losses);
-  written.headline = {Code::kTableWrote, {kFormat.title, kFormat.program}};
+  written.headline = {Code::kTableWrote, {rig.cameras.size() == 1 ? "a camera model" : "camera models", kFormat.program}};
   return written;
 }
 

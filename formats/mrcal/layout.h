@@ -58,11 +58,7 @@ inline constexpr std::array kLenses = {LensModel{"LENSMODEL_PINHOLE", "pinhole",
 [[nodiscard]] std::vector<ParameterId> parameters_of(const LensModel& lens);
 [[nodiscard]] fields::Field intrinsics_field(const CameraModel& model, const LensModel& lens);
 
-/// T_camera_reference of a file.
-struct StatedPose {
-  std::array<double, 6> rt{};  ///< As it is stated.
-  Transform T;
-};
+/// T_camera_reference of the six numbers that a file states, and those numbers.
 [[nodiscard]] Transform pose_of(const std::array<double, 6>& rt);
 [[nodiscard]] std::array<double, 6> rt_of(const Transform& T_camera_reference);
 
@@ -74,7 +70,7 @@ struct StatedPose {
 extern const schema::Schema kSchema;
 extern const schema::PoseLayout kPose;
 
-/// The base, with the camera and, where `frame` is the file's own or `moves`, its pose in it. Losses are listed.
+/// The base, which states `old`, with another camera and, where the rig states one, its pose. Losses are listed.
 [[nodiscard]] text::Document edited(const text::Document& base, const Rig& old, const Rig& rig, const Camera& camera,
                                     Written& written);
 /// A fresh file of a camera.

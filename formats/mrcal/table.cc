@@ -24,7 +24,7 @@ using text::Node;
 namespace {
 
 constexpr std::array<ParameterId, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
-constexpr std::size_t kLongestWord = 60;  ///< Of the file, in a message.
+constexpr std::size_t kLongestWord = 100;  ///< Of the file, in a message.
 
 /// Lenses of mrcal that are no lens of OpenCV and are not read: the beginnings of their names.
 constexpr std::array<std::string_view, 2> kUnreadLenses = {"LENSMODEL_CAHVORE", "LENSMODEL_SPLINED_STEREOGRAPHIC"};

@@ -26,10 +26,14 @@ namespace {
 bool is_stock(const std::string& program, const Calibration& calibration) {
   if (calibration.documents.front().syntax() == text::Syntax::kWords && calibration.format->id == "tumvi")
     return program.starts_with("DSO");
-  return program.starts_with("Kalibr") || program == "ORB-SLAM3 V1.0" || program.starts_with("OCamCalib") ||
-         program == "WoodScape's projection.py" || program == "Basalt" || program == "VINS-Fusion" || program == "ROS" ||
-         program == "COLMAP" || program == "nerfstudio" || program.starts_with("Kimera-VIO") ||
-         program.starts_with("cuVSLAM") || program == "stella_vslam" || program == "FAST-LIVO2" ||
+  constexpr std::array<std::string_view, 17> kBegin = {
+      "Kalibr",       "ORB-SLAM3 V1.0", "OCamCalib",  "WoodScape's projection.py",
+      "Basalt",       "VINS-Fusion",    "ROS",        "COLMAP",
+      "nerfstudio",   "mrcal",          "Kimera-VIO", "cuVSLAM",
+      "stella_vslam", "FAST-LIVO2",     "OKVIS2",     "SVO",
+      "maplab"};
+  if (program == "VINS-Fusion (configuration)") return false;
+  return std::ranges::any_of(kBegin, [&program](std::string_view begin) { return program.starts_with(begin); }) ||
          (calibration.format->id == "openvins" && program.starts_with("OpenVINS"));
 }
 

@@ -4,6 +4,8 @@
 #include "formats/rigs.h"
 #include "formats/test_files.h"
 
+#include <fca/code.h>
+
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -15,15 +17,18 @@ namespace {
 
 constexpr const char* kPython = "/usr/bin/python3";  // Debian's modules are of no other
 
+/// What a program prints; its warnings are not asked for.
 std::string output_of(const std::string& command) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen((command + " 2>&1").c_str(), "r"), &::pclose);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"), &::pclose);
   std::string text;
   std::array<char, 4096> part{};
   while (pipe != nullptr && std::fgets(part.data(), static_cast<int>(part.size()), pipe.get()) != nullptr) text += part.data();
   return text;
 }
 
-bool is_there() { return output_of(std::string(kPython) + " -c 'import mrcal; print(\"mrcal\")'").ends_with("mrcal\n"); }
+bool is_there() {
+  return output_of(std::string(kPython) + " -c 'import mrcal; print(\"mrcal\")' 2>/dev/null").ends_with("mrcal\n");
+}
 
 /// A file for mrcal, and the camera that we take it for.
 struct Case {
@@ -81,7 +86,7 @@ std::vector<std::string> said_to(const std::vector<Case>& cases) {
   folder.write("script.py", kScript);
   for (std::size_t i = 0; i < cases.size(); ++i) folder.write(std::to_string(i) + ".cameramodel", cases[i].bytes);
   const std::string output = output_of(std::string(kPython) + " " + folder.path() + "/script.py " + folder.path() + " " +
-                                       std::to_string(cases.size()));
+                                       std::to_string(cases.size()) + " 2>/dev/null");
   return split(output, '\n');
 }
 
@@ -130,10 +135,24 @@ void add_fresh(const std::string& name, const Rig& rig, std::vector<Case>& cases
   }
 }
 
-CameraModel without_tilt(CameraModel model) {
-  set_parameter(model, "tau_x", 0.0);
-  set_parameter(model, "tau_y", 0.0);
+/// A camera of a model that mrcal has.
+CameraModel opencv_model(const std::string& id, int camera = 0) {
+  if (id == "pinhole" || id == "radtan") return sample_model(id, camera);
+  CameraModel model = *make_model(id);
+  const CameraModel all = sample_model("opencv14", camera);
+  for (const Parameter& each : model_info(model).parameters) {
+    const ParameterId name(each);
+    const bool is_tilt = name == ParameterId("tau_x") || name == ParameterId("tau_y");
+    if (is_tilt) continue;
+    EXPECT_TRUE(set_parameter(model, name, parameter(all, name).value()));
+  }
   return model;
+}
+
+Rig opencv_rig(const std::string& id, bool two) {
+  Rig rig = sample_rig("radtan", {two, false});
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) rig.cameras[i].model = opencv_model(id, static_cast<int>(i));
+  return rig;
 }
 
 TEST(MrcalProgram, SeesOurPixelsAndPoses) {
@@ -141,9 +160,7 @@ TEST(MrcalProgram, SeesOurPixelsAndPoses) {
   std::vector<Case> cases;
   for (const char* model : {"pinhole", "radtan", "rational", "opencv14"}) {
     for (const bool two : {false, true}) {
-      Rig rig = sample_rig(model, {two, false});
-      for (Camera& camera : rig.cameras) camera.model = without_tilt(camera.model);
-      add_fresh(model, rig, cases);
+      add_fresh(model, opencv_rig(model, two), cases);
     }
   }
   Rig odd = sample_rig("radtan", {true, false});
@@ -155,7 +172,7 @@ TEST(MrcalProgram, SeesOurPixelsAndPoses) {
   odd.cameras[1].image_size = ImageSize{20000, 1};
   odd.poses[0].T_a_b(0, 3) = 1e5;
   add_fresh("odd", odd, cases);
-  Rig small = sample_rig("rational", {false, false});
+  Rig small = opencv_rig("rational", false);
   set_parameter(small.cameras[0].model, "fx", 0.015625);
   set_parameter(small.cameras[0].model, "fy", 1e-3);
   add_fresh("small", small, cases);
@@ -205,8 +222,9 @@ TEST(MrcalProgram, RefusesWhatOurConsumerRefuses) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
     SCOPED_TRACE(cases[i].name + ": " + said[i]);
     const consumers::ConsumerView view = consumers::find_consumer("mrcal")->load(cases[i].bytes, {});
-    // 2.5 refuses what differs, 2.2 what has rt_cam_ref alone.
+    // 2.5 refuses what differs, 2.2 what has rt_cam_ref alone; and what our consumer does not know it does not count.
     if (cases[i].name == "poses-differ.cameramodel" || cases[i].name == "only-rt_cam_ref.cameramodel") continue;
+    if (!view.warnings.empty() && view.warnings.front().facts.code == Code::kMrcalSaysOtherLens) continue;
     EXPECT_EQ(view.loads(), said[i].starts_with("loads"));
   }
 }

@@ -10,11 +10,10 @@ namespace fca::diagnostics {
 std::span<const CodeInfo> mrcal_codes() {
   static constexpr std::array kRows = {
       error(Code::kMrcalUnreadLens, "unknown-model", "{0} is '{1}', a lens of mrcal's own, which fca-io does not read",
-            "mrcal-convert-lensmodel LENSMODEL_OPENCV8 fits an OpenCV lens to it, and says how far the two are apart"),
+            "mrcal-convert-lensmodel (sampled, intrinsics only) fits LENSMODEL_OPENCV8 to it, and prints by how many pixels it "
+            "is off"),
       error(Code::kMrcalPosesDiffer, "poses-contradict", "{0} and {1} state two poses",
             "keep one of them, or write the same numbers under both"),
-      // {0} the camera, {1} the frame.
-      error(Code::kMrcalMirror, "not-a-rotation", "{0}: its pose in {1} is a mirror image, which no rotation vector says"),
       loss(Code::kMrcalStale, "stale-derived", "{0} {1}",
            "mrcal computed it for the lens as it was, and it is kept unchanged beside another lens",
            "remove it, or calibrate again with mrcal"),

@@ -770,7 +770,6 @@ enum class Code : std::uint16_t {
   // mrcal's camera models, read and written.
   kMrcalUnreadLens,
   kMrcalPosesDiffer,
-  kMrcalMirror,
   kMrcalStale,
   kMrcalPoseUnknown,
   kMrcalDemandsSize,
