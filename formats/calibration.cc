@@ -229,14 +229,12 @@ void complete(std::span<const Format* const> formats, Rig& rig) {
 /// states no pose.
 void forget_common_origins(Rig& rig, Diagnostics& diagnostics) {
   std::map<std::string, std::vector<std::string>> at_origin;
-  const auto is_own_frame = [&rig](const std::string& name) {
-    const FrameKind kind = rig.kind_of(name);
-    return kind != FrameKind::kCamera && kind != FrameKind::kImu;
-  };
+  // A vehicle's is one that cameras are measured in.
+  const auto is_of_files = [&rig](const std::string& name) { return rig.kind_of(name) == FrameKind::kOther; };
   for (const PoseEdge& edge : rig.poses) {
     if (edge.T_a_b != Transform{}) continue;
-    if (is_own_frame(edge.a)) at_origin[edge.a].push_back(edge.b);
-    if (is_own_frame(edge.b)) at_origin[edge.b].push_back(edge.a);
+    if (is_of_files(edge.a)) at_origin[edge.a].push_back(edge.b);
+    if (is_of_files(edge.b)) at_origin[edge.b].push_back(edge.a);
   }
   for (const auto& [frame, cameras] : at_origin) {
     if (cameras.size() < 2) continue;

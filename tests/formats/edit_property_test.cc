@@ -79,8 +79,8 @@ Pieces pieces_of(const text::Document& document) {
 }
 
 /// A statement that repeats or follows from another one: slam_no_opt's LEFT.* say Camera.* again, and Camera.bf is the baseline
-/// times fx.
-bool is_redundant(const std::string& path) { return path == "Camera.bf" || path.starts_with("LEFT."); }
+/// times fx; mrcal has a pose under two keys.
+bool is_redundant(const std::string& path) { return path == "Camera.bf" || path == "rt_cam_ref" || path.starts_with("LEFT."); }
 
 /// P of a camera_info whose image is K's goes with K, and so does what it says in pixels of a baseline.
 bool is_projection(const std::string& path) { return path == "projection_matrix/data"; }
@@ -208,9 +208,9 @@ TEST(EditProperty, OneParameterChangesItsOwnNumberOnly) {
   EXPECT_GT(edits, 200);
 }
 
-/// A single element of a rotation has no number of its own there.
-bool stores_quaternions(const Base& base) {
-  constexpr std::array<std::string_view, 3> kFormats = {"woodscape", "basalt", "colmap"};
+/// A single element of a rotation has no number of its own there, in a quaternion or a rotation vector.
+bool stores_no_matrix(const Base& base) {
+  constexpr std::array<std::string_view, 4> kFormats = {"woodscape", "basalt", "colmap", "mrcal"};
   return std::ranges::find(kFormats, base.calibration.format->id) != kFormats.end();
 }
 
@@ -230,7 +230,7 @@ TEST(EditProperty, OneElementOfAPoseChangesItsOwnNumberOnly) {
     for (std::size_t p = 0; p < base.calibration.rig.poses.size(); ++p) {
       for (int element = 0; element < kElements; ++element) {
         const bool of_rotation = element % 4 != 3;
-        if ((of_rotation && stores_quaternions(base)) || stores_in_plane(base, element)) continue;
+        if ((of_rotation && stores_no_matrix(base)) || stores_in_plane(base, element)) continue;
         Rig rig = base.calibration.rig;
         double& value = rig.poses[p].T_a_b(element / 4, element % 4);
         value = storable(base, value + shift(random));

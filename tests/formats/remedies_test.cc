@@ -16,6 +16,7 @@ Rig talkative_rig(const Format& format) {
   for (Camera& camera : rig.cameras) {
     if (format.id == "ocamcalib") camera.model = model_of("ocamcalib", {256, 256, 1, 0, 0, -190, 0, 2e-3, 0, 0, 0, 0, 0, 0});
     if (format.id == "woodscape") camera.model = model_of("woodscape", {190.5, -3.25, 6.75, -0.875, 1.0, 255.5, 255.5});
+    if (format.id == "mrcal") camera.model = sample_model("radtan");
     camera.time_offset_s = -0.0021;
     camera.frame_rate_hz = 29.97;
   }
