@@ -15,7 +15,8 @@ std::span<const CodeInfo> device_codes() {
       error(Code::kDeviceSizeUnknown, "size-contradicts", "the file has no lens for images of {0}, but for {1:and}",
             "say the size at which the device recorded; images that were scaled since are told beside it"),
       warning(Code::kDeviceCameraOfOtherSize, "size-contradicts",
-              "{0} is left out: it has no lens for images of {1}, but for {2:and}"),
+              "{0} is left out: it has no lens for images of {1}, but for {2:and}",
+              "say a size that all have, if that is how the images were recorded"),
 
       error(Code::kDepthaiNoPair, "not-a-list", "{0} is no pair of a socket and what is known of its camera"),
       error(Code::kDepthaiSocketTwice, "duplicate-key", "{0} stands twice in cameraData"),
@@ -23,18 +24,20 @@ std::span<const CodeInfo> device_codes() {
            "imuExtrinsics is read as the programs read it: it takes points of the IMU to points of {0}. Of some boards it is "
            "said to be the other way round",
            "compare it with the board: the IMU's origin is at {1:.3}, {2:.3}, {3:.3} m in {0} (right, down, forward)"),
-      error(Code::kOpeniccSkew, "skew", "{0} is {1}, and fca-io has no {2} lens with skew"),
+      error(Code::kOpeniccSkew, "skew", "{0} is {1}, and fca-io has no {2} lens with skew",
+            "the calibrator itself writes 0: calibrate anew, or with FISHEYE, which may have one"),
       error(Code::kOpeniccDivisionAspect, "unknown-model",
             "{0} is {1}: the division model of this program counts the radius in pixels, and with pixels that are not square "
             "fca-io has no such model",
             "calibrate with FISHEYE or DOUBLE_SPHERE, or hold the aspect ratio at 1"),
       warning(Code::kZedFisheyeByZeros, "lens-in-doubt",
               "{0} is read as a fisheye: k1 to k4 are there, and p1, p2, k5 and k6 are 0, as ZED's tools fill up a fisheye's "
-              "coefficients"),
+              "coefficients",
+              "leave out p1 and p2 if it is one"),
       note(Code::kZedHeightOfSign, "pose-doubtful",
-           "TY and TZ ({0} and {1} mm) are read as Stereolabs' calibration tool writes them: where the left camera is, seen "
-           "from "
-           "the right one. Readers of the file differ about their sign"),
+           "TY and TZ ({0} and {1} mm) are read as Stereolabs' calibration tool writes them: where the left camera is, in the "
+           "right "
+           "one. Readers of the file differ about their sign"),
       note(Code::kRealsenseInverseModel, "lens-in-doubt",
            "{0} says {1} with coefficients that are not 0. It is read as Brown Conrady from ray to pixel, as "
            "today's librealsense and its ROS driver do; older versions took it from pixel to ray"),
@@ -42,7 +45,8 @@ std::span<const CodeInfo> device_codes() {
               "{0} at {1} stands twice with other numbers; the first is read"),
       warning(Code::kRealsenseCopiedBlock, "pose-doubtful",
               "the block from {0} to {1} is not read: it contradicts the others by {2:.3} m. librealsense prints that of "
-              "Infrared 1 in its place"),
+              "Infrared 1 in its place",
+              "nothing, if the pose of Infrared 2 to Infrared 1 is that of the device; else ask a newer librealsense"),
       clause(Code::kRealsenseFound, "Intrinsic of a stream, as rs-enumerate-devices -c prints it"),
   };
   return kRows;
