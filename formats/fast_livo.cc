@@ -230,6 +230,17 @@ text::Document keys_alone(const text::Document& document) {
   return keys != nullptr ? text::Document(document.source(), document.syntax(), *keys) : document;
 }
 
+/// The first coefficient of the lens that is missing; a file that was cut off says no less.
+void warn_of_zeros(Reading& reading, const Node& keys) {
+  const auto missing = std::ranges::find_if(kKeys, [&](const Key& key) {
+    return key.read == read_coefficient && stated_by(key, *reading.camera) && find(keys, key.name) == nullptr;
+  });
+  if (missing == kKeys.end()) return;
+  SourceRange where = reading.reader.document().range(keys);
+  where.length = 1;
+  reading.reader.diagnostics().add(Code::kOrbslamTakesZero, {missing->name, kProgram}, where);
+}
+
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
   if (documents.size() != 1 || !documents.front().root().is_mapping()) {
     diagnostics.add(Code::kTableWrongSyntax, {}, {documents.empty() ? "" : documents.front().source().name, 0, 0});
@@ -243,8 +254,9 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   Reading reading{kTable, reader, options, rig, camera.name};
   reading.camera = &camera;
   if (!schema::read_mapping(reading, kTable.root, document.root())) return std::nullopt;
+  warn_of_zeros(reading, document.root());
+  reader.warn_of_misspelt();  // keeping what no row reads asks for all keys
   schema::keep_unread(reading, kTable.root, document.root(), camera.name);
-  reader.warn_of_misspelt();
   rig.cameras.push_back(std::move(camera));
   return rig;
 }

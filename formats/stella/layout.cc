@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "layout.h"
 
-#include "../ros/rectification.h"
-
 #include <fca/code.h>
 #include <fca/formats/opencv_coefficients.h>
 #include <fca/rig/stereo_order.h>
@@ -10,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace fca::stella {
 
@@ -25,13 +24,28 @@ constexpr std::array kLenses = {Lens{"perspective", "radtan", kBrown}, Lens{"fis
                                 Lens{"radial_division", "division", kDivision},
                                 Lens{"division_undistortion", "division", kDivision}};  // OpenVSLAM's first name for it
 
-/// Does P put the second camera to the right of the first, in rows of the same height?
-bool is_side_by_side(const Rig& rig) {
-  const ros::Rectification rectification = ros::rectification_of(rig);
+/// Do both look at one rectified image, in rows of the same height?
+bool is_level(const ros::Rectification& rectification) {
   const ros::Projection& left = rectification.cameras[0].P;
   const ros::Projection& right = rectification.cameras[1].P;
   const bool alike = left[0] == right[0] && left[2] == right[2] && left[5] == right[5] && left[6] == right[6];
-  return alike && left[3] == 0.0 && left[7] == 0.0 && right[3] < 0.0 && right[7] == 0.0;
+  constexpr double kRounding = 1e-9;  // m
+  return alike && std::abs(left[7]) <= kRounding * left[5] && std::abs(right[7]) <= kRounding * right[5];
+}
+
+/// The same cameras, each with a pinhole of its focal lengths and centre: how a pair is rectified depends on no more.
+Rig with_plain_lenses(const Rig& rig) {
+  Rig plain = rig;
+  for (Camera& camera : plain.cameras) {
+    const auto focal_lengths = central_focal_lengths(camera.model);
+    const Pixel centre = principal_point(camera.model);
+    camera.model = *make_model("pinhole");
+    static_cast<void>(set_parameter(camera.model, "fx", focal_lengths[0]));
+    static_cast<void>(set_parameter(camera.model, "fy", focal_lengths[1]));
+    static_cast<void>(set_parameter(camera.model, "cx", centre[0]));
+    static_cast<void>(set_parameter(camera.model, "cy", centre[1]));
+  }
+  return plain;
 }
 
 }  // namespace
@@ -75,7 +89,23 @@ std::vector<double> coefficients_of(const CameraModel& model) {
   return values;
 }
 
-bool is_pair(const Rig& rig, std::vector<Message>& why_not) {
+ros::Rectification rectification_of(const Rig& rig) {
+  ros::Rectification stated = ros::rectification_of(rig);
+  const std::string& first = rig.cameras[0].name;
+  const std::string& second = rig.cameras[1].name;
+  const std::optional<Transform> T = rig.resolve(second, first);
+  if (is_level(stated) || !T) return stated;
+  Rig pair;
+  pair.cameras = {rig.cameras[0], rig.cameras[1]};
+  pair.poses = {{second, first, *T}};
+  return ros::rectification_of(pair);
+}
+
+double focal_times_baseline(const ros::Rectification& rectification) {
+  return rectification.cameras[0].P[3] - rectification.cameras[1].P[3];
+}
+
+bool stands_as_pair(const Rig& rig, std::vector<Message>& why_not) {
   if (rig.cameras.size() < 2) return false;
   const Camera& first = rig.cameras[0];
   const Camera& second = rig.cameras[1];
@@ -83,20 +113,27 @@ bool is_pair(const Rig& rig, std::vector<Message>& why_not) {
     why_not = {Message{Code::kOrbslam3ModeLacks, {kStereo, std::move(what)}}};
     return false;
   };
-  // OpenCV's longer lists are read, and edited where they stand.
-  const auto is_longer = [](const CameraModel& model) { return opencv_count(model_info(model).id) > kRadtanCount; };
-  const Lens* left = lens_of(first.model);
-  const Lens* right = lens_of(second.model);
-  const bool both_longer = is_longer(first.model) && is_longer(second.model);
-  if (!both_longer && (left == nullptr || left != right || !may_be_rectified(*left))) return lacks({Code::kStellaLacksLens});
   if (first.image_size != second.image_size) return lacks({Code::kOrbslam3LacksOneSize});
   if (!rig.resolve(first.name, second.name)) return lacks({Code::kOrbslam3LacksPose, {second.name, first.name}});
   if (second_below_first(rig)) {
     why_not = {Message{Code::kOrbslam3NoRows, {first.name, second.name}}};
     return false;
   }
-  if (may_be_stereo(rig, first, second) && is_side_by_side(rig)) return true;
+  const ros::Rectification rectification = rectification_of(with_plain_lenses(rig));
+  if (may_be_stereo(rig, first, second) && is_level(rectification) && focal_times_baseline(rectification) > 0.0) return true;
   if (!second_left_of_first(rig)) why_not = {Message{Code::kOrbslam3NoPair, {first.name, second.name}}};
+  return false;
+}
+
+bool is_pair(const Rig& rig, std::vector<Message>& why_not) {
+  if (!stands_as_pair(rig, why_not)) return false;
+  // OpenCV's longer lists are read, and edited where they stand.
+  const auto is_longer = [](const Camera& camera) { return opencv_count(model_info(camera.model).id) > kRadtanCount; };
+  const Lens* left = lens_of(rig.cameras[0].model);
+  const Lens* right = lens_of(rig.cameras[1].model);
+  if (is_longer(rig.cameras[0]) && is_longer(rig.cameras[1])) return true;
+  if (left != nullptr && left == right && may_be_rectified(*left)) return true;
+  why_not = {Message{Code::kOrbslam3ModeLacks, {kStereo, Message{Code::kStellaLacksLens}}}};
   return false;
 }
 

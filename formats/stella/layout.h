@@ -17,6 +17,8 @@
 // point between their levels ("Camera.fx") until 2021, and called radial_division division_undistortion for a few weeks.
 #pragma once
 
+#include "../ros/rectification.h"
+
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/document.h>
 #include <fca/rig/rig.h>
@@ -79,6 +81,14 @@ struct Lens {
 
 /// The coefficients of a pair's lens in the order of its list D; zeros of a pinhole.
 [[nodiscard]] std::vector<double> coefficients_of(const CameraModel& model);
+
+/// How the first two cameras are rectified: as their file states it, where StereoRectifier can say that, else anew.
+[[nodiscard]] ros::Rectification rectification_of(const Rig& rig);
+/// fx [px] times the distance [m] of the second camera, which stands to the right of the first; else not above 0.
+[[nodiscard]] double focal_times_baseline(const ros::Rectification& rectification);
+
+/// Stand the first two cameras so that they can be rectified, whatever their lenses are? Else `why_not`: a clause for people.
+[[nodiscard]] bool stands_as_pair(const Rig& rig, std::vector<Message>& why_not);
 
 /// Has the rig the two cameras of one pair that StereoRectifier takes? Else `why_not`: a clause for people, if it has two.
 [[nodiscard]] bool is_pair(const Rig& rig, std::vector<Message>& why_not);

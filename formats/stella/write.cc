@@ -5,7 +5,6 @@
 #include "../fields.h"
 #include "../losses.h"
 #include "../one_camera_files.h"
-#include "../ros/rectification.h"
 
 #include <fca/code.h>
 #include <fca/formats/text/read_document.h>
@@ -73,9 +72,8 @@ CameraModel rectified_lens(const ros::Projection& P) {
 /// The block Camera.
 std::vector<Field> camera_fields(const Rig& rig, const Target& target) {
   const Camera& camera = rig.cameras.front();
-  const std::vector<ros::Rectified> rectified =
-      target.pair ? ros::rectification_of(rig).cameras : std::vector<ros::Rectified>();
-  const CameraModel lens = target.pair ? rectified_lens(rectified.front().P) : camera.model;
+  const ros::Rectification rectification = target.pair ? rectification_of(rig) : ros::Rectification();
+  const CameraModel lens = target.pair ? rectified_lens(rectification.cameras.front().P) : camera.model;
   std::vector<Field> fields = {fields::quoted("name", name_of(rig)), fields::quoted("setup", setup_of(rig, target)),
                                fields::quoted("model", lens_of(lens)->name)};
   add_lens(lens, fields);
@@ -84,7 +82,7 @@ std::vector<Field> camera_fields(const Rig& rig, const Target& target) {
     fields.push_back(fields::integer("cols", camera.image_size->width));
     fields.push_back(fields::integer("rows", camera.image_size->height));
   }
-  if (target.pair) fields.push_back(fields::real("focal_x_baseline", -rectified[1].P[3]));
+  if (target.pair) fields.push_back(fields::real("focal_x_baseline", focal_times_baseline(rectification)));
   if (!target.pair && rig.baseline_m)
     fields.push_back(fields::real("focal_x_baseline", *rig.baseline_m * value_of(camera.model, "fx")));
   if (const ExtraField* threshold = rig.find_extra_field("", kDepthThreshold))
@@ -96,7 +94,7 @@ std::vector<Field> camera_fields(const Rig& rig, const Target& target) {
 
 /// The block StereoRectifier of a pair.
 std::vector<Field> rectifier_fields(const Rig& rig) {
-  const std::vector<ros::Rectified> rectified = ros::rectification_of(rig).cameras;
+  const std::vector<ros::Rectified> rectified = rectification_of(rig).cameras;
   const bool fisheye = model_info(rig.cameras.front().model).id == "kb4";
   std::vector<Field> fields = {fields::quoted("model", fisheye ? "fisheye" : "perspective")};
   constexpr std::array<std::string_view, 2> kSides = {"left", "right"};
@@ -218,7 +216,7 @@ std::vector<ExtraField> said_in(const Rig& rig, const Target& target, const std:
     if (of_camera) said.push_back(extra);
   }
   if (!target.pair) return said;
-  const std::vector<ros::Rectified> rectified = ros::rectification_of(rig).cameras;
+  const std::vector<ros::Rectified> rectified = rectification_of(rig).cameras;
   for (std::size_t i = 0; i < 2; ++i) {
     const ExtraField* extra = rig.find_extra_field(rig.cameras[i].name, ros::kProjection);
     if (rectified[i].stated && extra != nullptr) said.push_back(*extra);
@@ -227,7 +225,7 @@ std::vector<ExtraField> said_in(const Rig& rig, const Target& target, const std:
 }
 
 void list_restated(const Rig& rig, Written& written) {
-  const ros::Rectification rectification = ros::rectification_of(rig);
+  const ros::Rectification rectification = rectification_of(rig);
   if (!rectification.restated) return;
   const PoseEdge& edge = *rectification.restated;
   written.restated.push_back(edge);
@@ -250,9 +248,10 @@ std::optional<text::Document> composed(const text::Document* base, const Rig& ri
 
 }  // namespace
 
+/// The lenses are still to be chosen.
 std::size_t cameras_held(const Rig& rig, std::string_view /*mode*/, std::string_view /*layout*/) {
   std::vector<Message> why_not;
-  return is_pair(rig, why_not) ? 2 : std::min<std::size_t>(rig.cameras.size(), 1);
+  return stands_as_pair(rig, why_not) ? 2 : std::min<std::size_t>(rig.cameras.size(), 1);
 }
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,

@@ -10,7 +10,7 @@ namespace fca::test {
 namespace {
 
 const Format& fast_livo() { return *find_format("fast-livo"); }
-std::string good(const std::string& name) { return read_file(testdata_dir() / "fast-livo" / "good" / name); }
+std::string good(const std::string& name) { return read_file(testdata_dir() / "fast-livo" / name); }
 Rig rig_of(const std::string& bytes) { return calibration_of(bytes, "camera.yaml").rig; }
 
 consumers::ConsumerView view_of(const std::string& bytes) { return consumers::find_consumer("fast-livo")->load(bytes, {}); }
@@ -36,13 +36,13 @@ std::string with_change(const std::string& bytes, const std::function<void(Rig&)
 
 // scale says what the program does with the images; the numbers are those of the images as they come.
 TEST(FastLivo, TheNumbersAreThoseOfTheImagesAsTheyCome) {
-  const Rig rig = rig_of(good("pinhole.yaml"));
+  const Rig rig = rig_of(good("good/pinhole.yaml"));
   const Camera& camera = rig.cameras.front();
   EXPECT_EQ(camera.image_size, (ImageSize{1280, 1024}));
   EXPECT_EQ(parameter(camera.model, "fx"), 1293.5);
   EXPECT_EQ(parameter(camera.model, "p2"), 0.00025);
   EXPECT_EQ(rig.find_extra_field("cam0", "scale")->value, "0.5");
-  const consumers::ConsumerView view = view_of(good("pinhole.yaml"));
+  const consumers::ConsumerView view = view_of(good("good/pinhole.yaml"));
   ASSERT_EQ(view.cameras.size(), 1U);
   EXPECT_EQ(view.cameras.front().width, 640);
   const std::optional<Pixel> pixel = project(camera.model, {0.2, -0.1, 1.0});
@@ -53,7 +53,7 @@ TEST(FastLivo, TheNumbersAreThoseOfTheImagesAsTheyCome) {
 
 // Of ATAN lengths are shares of the image's sides, whose centre counts from the border: 0.50625 * 752 - 0.5.
 TEST(FastLivo, LengthsOfAtanAreShares) {
-  const Camera camera = rig_of(good("atan.yaml")).cameras.front();
+  const Camera camera = rig_of(good("good/atan.yaml")).cameras.front();
   ASSERT_EQ(model_info(camera.model).id, "fov");
   EXPECT_NEAR(parameter(camera.model, "fx").value(), 385.4, 1e-12);
   EXPECT_NEAR(parameter(camera.model, "fy").value(), 384.6, 1e-12);
@@ -63,7 +63,7 @@ TEST(FastLivo, LengthsOfAtanAreShares) {
 }
 
 TEST(FastLivo, AFileOfRos2IsReadAndEditedWhereItStands) {
-  const std::string bytes = good("ros2.yaml");
+  const std::string bytes = good("dialect/ros2.yaml");
   EXPECT_EQ(parameter(rig_of(bytes).cameras.front().model, "fy"), 536.625);
   EXPECT_EQ(with_change(bytes, [](Rig&) {}), bytes);
   EXPECT_EQ(with_change(bytes, [](Rig& rig) { EXPECT_TRUE(set_parameter(rig.cameras.front().model, "k1", -0.25)); }),
@@ -71,10 +71,10 @@ TEST(FastLivo, AFileOfRos2IsReadAndEditedWhereItStands) {
 }
 
 TEST(FastLivo, AnEditKeepsEveryOtherByte) {
-  const std::string bytes = good("pinhole.yaml");
+  const std::string bytes = good("good/pinhole.yaml");
   EXPECT_EQ(with_change(bytes, [](Rig& rig) { EXPECT_TRUE(set_parameter(rig.cameras.front().model, "cx", 630.25)); }),
             with_replaced(bytes, "cam_cx: 626.875", "cam_cx: 630.25"));
-  const std::string atan = good("atan.yaml");
+  const std::string atan = good("good/atan.yaml");
   EXPECT_EQ(with_change(atan, [](Rig& rig) { EXPECT_TRUE(set_parameter(rig.cameras.front().model, "fx", 376.0)); }),
             with_replaced(atan, "cam_fx: 0.5125", "cam_fx: 0.5"));
 }
@@ -90,7 +90,7 @@ TEST(FastLivo, AFirstCoefficientOfZeroDropsAll) {
   const std::optional<std::array<double, 2>> pixel = view.cameras.front().project({0.4, 0.0, 1.0});
   ASSERT_TRUE(pixel);
   EXPECT_NEAR((*pixel)[0], 0.5 * (1293.5 * 0.4 + 626.875), 1e-9);
-  EXPECT_TRUE(view_of(good("no-distortion.yaml")).warnings.empty());
+  EXPECT_TRUE(view_of(good("good/no-distortion.yaml")).warnings.empty());
   const std::string fisheye = read_file(testdata_dir() / "fast-livo" / "bad" / "equidistant-without-k1.yaml");
   EXPECT_TRUE(view_of(fisheye).cameras.front().misread);
 }

@@ -225,8 +225,10 @@ std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>
 std::optional<std::vector<ConvertedCamera>> common_model(const std::vector<Camera>& cameras, const Format& format,
                                                          const ModelChoice& choice, Diagnostics& diagnostics) {
   for (const StoredModel& stored : format.models) {
-    const bool all_keep = may_be_chosen(stored, choice) &&
-                          std::ranges::all_of(cameras, [&](const Camera& camera) { return keeps(camera, stored, choice); });
+    // A model that is never chosen is kept of one camera: a pair may need another (stella_vslam rectifies no division lens).
+    const bool may_stay = may_be_chosen(stored, choice) || (cameras.size() == 1 && may_be_kept(stored, choice));
+    const bool all_keep =
+        may_stay && std::ranges::all_of(cameras, [&](const Camera& camera) { return keeps(camera, stored, choice); });
     if (all_keep) return convert_all(cameras, stored, choice, diagnostics);
   }
   return best_model(cameras, format, choice, diagnostics);
