@@ -13,7 +13,7 @@ using Name = std::string_view;
 
 // Served by a format.
 constexpr std::array kKalibr = {Name("camchain")};
-constexpr std::array kDso = {Name("dso"), Name("ldso"), Name("stereo-dso"), Name("dm-vio"), Name("vi-dso"), Name("tandem")};
+constexpr std::array kDso = {Name("ldso"), Name("stereo-dso"), Name("dm-vio"), Name("vi-dso"), Name("tandem")};
 constexpr std::array kVins = {Name("vins-mono"), Name("vins-fusion"), Name("camodocal"),        Name("gvins"),
                               Name("d2slam"),    Name("lvi-sam"),     Name("kitti-360-fisheye")};
 constexpr std::array kOrbslam3 = {Name("orbslam"), Name("orb-slam"), Name("orb_slam3_ros"), Name("visual-sgraphs")};
@@ -86,7 +86,7 @@ constexpr std::array kSpectacular = {Name("spectacularai"), Name("sai")};
 
 constexpr std::array kNames = {
     ProgramName{kKalibr, "Kalibr", "kalibr"},
-    ProgramName{.names = kDso, .title = "DSO", .format = "tumvi", .extension = ".txt"},
+    ProgramName{kDso, "DSO", "dso"},
     ProgramName{kVins, "VINS", "vins"},
     ProgramName{kOrbslam3, "ORB-SLAM3", "orbslam3"},
     ProgramName{kOrbslam2, "ORB-SLAM2", "orbslam3", "orbslam2"},
@@ -135,7 +135,7 @@ constexpr std::array kNames = {
     ProgramName{kArkit, "ARKit", "opencv", "", "", "a JSON per frame, a pinhole without distortion"},
     ProgramName{kPhotonvision, "PhotonVision", "opencv", "", "", "a JSON of its own"},
     ProgramName{kR3live, "R3LIVE", "vins", "", "", "keys of its own in its configuration"},
-    ProgramName{kOmnidso, "omniDSO", "tumvi", "", "", "camera.txt with a line of the unified model"},
+    ProgramName{kOmnidso, "omniDSO", "dso", "", "", "camera.txt with a line of the unified model"},
     ProgramName{kMast3r, "MASt3R-SLAM", "mast3r"},
     ProgramName{kTagslam, "TagSLAM", "kalibr", "", "",
                 "cameras.yaml, Kalibr's keys with a tagtopic and a rig_body for each camera"},

@@ -5,6 +5,7 @@
 #include "devices/depthai.h"
 #include "devices/realsense.h"
 #include "devices/zed.h"
+#include "dso/dso.h"
 #include "fast_livo.h"
 #include "kalibr/kalibr.h"
 #include "kitti.h"
@@ -41,15 +42,16 @@ namespace {
 
 const auto& table() {
   static const std::array kTable = {
-      guarded<kalibr::kFormat>(),    guarded<opencv::kFormat>(),    guarded<ocamcalib::kFormat>(),
-      guarded<tumvi::kFormat>(),     guarded<orbslam3::kFormat>(),  guarded<woodscape::kFormat>(),
-      guarded<basalt::kFormat>(),    guarded<openvins::kFormat>(),  guarded<vins::kFormat>(),
-      guarded<ros::kFormat>(),       guarded<euroc::kFormat>(),     guarded<kimera::kFormat>(),
-      guarded<mrcal::kFormat>(),     guarded<colmap::kFormat>(),    guarded<nerfstudio::kFormat>(),
-      guarded<stella::kFormat>(),    guarded<fast_livo::kFormat>(), guarded<mast3r::kFormat>(),
-      guarded<opensfm::kFormat>(),   guarded<metashape::kFormat>(), guarded<kitti::kFormat>(),
-      guarded<ncore::kFormat>(),     guarded<openicc::kFormat>(),   guarded<depthai::kFormat>(),
-      guarded<realsense::kFormat>(), guarded<zed::kFormat>(),       guarded<rays::kFormat>(),
+      guarded<kalibr::kFormat>(),  guarded<opencv::kFormat>(),    guarded<ocamcalib::kFormat>(),
+      guarded<tumvi::kFormat>(),   guarded<orbslam3::kFormat>(),  guarded<woodscape::kFormat>(),
+      guarded<basalt::kFormat>(),  guarded<openvins::kFormat>(),  guarded<vins::kFormat>(),
+      guarded<ros::kFormat>(),     guarded<euroc::kFormat>(),     guarded<kimera::kFormat>(),
+      guarded<mrcal::kFormat>(),   guarded<colmap::kFormat>(),    guarded<nerfstudio::kFormat>(),
+      guarded<stella::kFormat>(),  guarded<fast_livo::kFormat>(), guarded<dso::kFormat>(),
+      guarded<mast3r::kFormat>(),  guarded<opensfm::kFormat>(),   guarded<metashape::kFormat>(),
+      guarded<kitti::kFormat>(),   guarded<ncore::kFormat>(),     guarded<openicc::kFormat>(),
+      guarded<depthai::kFormat>(), guarded<realsense::kFormat>(), guarded<zed::kFormat>(),
+      guarded<rays::kFormat>(),
   };
   return kTable;
 }

@@ -14,6 +14,7 @@
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/image_change.h>
+#include <fca/toolkit/format_name.h>
 
 #include <algorithm>
 
@@ -169,6 +170,10 @@ void put_diagnostics(Html& html, const char* title, const Diagnostics& diagnosti
   }
 }
 
+std::string title_of(const Calibration& calibration) {
+  return std::string(name_of(*calibration.format, calibration.documents[calibration.with_cameras]).title);
+}
+
 }  // namespace
 
 std::string comparison_page(const ReferenceFile& reference, const ComparedFile& compared, std::optional<double> max_angle_rad,
@@ -178,8 +183,8 @@ std::string comparison_page(const ReferenceFile& reference, const ComparedFile& 
   return page_around(title, [&](Html& html) {
     html.element("h1", {}, title);
     html.element("p", {{"class", "soft"}},
-                 std::string(compared.calibration->format->title) + " beside " +
-                     std::string(reference.calibration->format->title) + ", as fca-io " FCA_VERSION " reads them");
+                 title_of(*compared.calibration) + " beside " + title_of(*reference.calibration) +
+                     ", as fca-io " FCA_VERSION " reads them");
     html.element("p", {{"class", "strong verdict"}}, "Verdict: " + verdict_of(compared));
     for (const Mistake& mistake : comparison.mistakes)
       html.element("p", {{"class", "warning"}}, "Explained: " + sentence(mistake));

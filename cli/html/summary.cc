@@ -11,6 +11,7 @@
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
+#include <fca/toolkit/format_name.h>
 
 #include <algorithm>
 #include <functional>
@@ -91,8 +92,8 @@ void put_summary(Html& html, const ReportContents& contents) {
   const Calibration& calibration = *contents.shown.calibration;
   html.element("h1", {}, contents.title);
   html.element("p", {{"class", "soft"}},
-               std::string(calibration.format->title) + " (" + text::text_of(calibration.why, with_options) +
-                   "), as fca-io " FCA_VERSION " reads it");
+               std::string(name_of(*calibration.format, calibration.documents[calibration.with_cameras]).title) + " (" +
+                   text::text_of(calibration.why, with_options) + "), as fca-io " FCA_VERSION " reads it");
   put_verdict(html, contents);
   html.element("div", {{"class", "tiles"}}, [&] {
     put_rig_tile(html, calibration.rig);

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "camera_txt.h"
 #include "tumvi.h"
 
+#include "../dso/camera_txt.h"
+#include "../dso/dso.h"
 #include "../kalibr/blocks.h"
 #include "../kalibr/demands.h"
 #include "../kalibr/kalibr.h"
 #include "../kalibr/overlaps.h"
 #include "../losses.h"
-#include "../one_camera_files.h"
 
 #include <fca/code.h>
-#include <fca/formats/file_name.h>
-#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 #include <array>
@@ -39,13 +37,11 @@ constexpr std::array<std::string_view, 1> kOfDso = {"DSO's rectified image"};
 constexpr std::array kOwnFacts = {OwnFact{"keys of its own (cam_overlaps)"}, OwnFact{kOfDso.front(), kOfDso}};
 constexpr std::array kDemands = {Demand{"IMU topic", "rostopic", &Format::imu}};
 
-/// A chain is Kalibr's, and says so.
-ProbeResult probe(const text::Document& document) { return probe_camera_txt(document); }
-
-bool is_camera_txt(const text::Document& document) { return document.syntax() == text::Syntax::kWords; }
+/// A chain is Kalibr's, and says so, and a camera.txt is DSO's.
+ProbeResult probe(const text::Document& /*document*/) { return {}; }
 
 bool layout_holds(const text::Document& document, std::string_view model) {
-  return !is_camera_txt(document) || camera_txt_holds(model);
+  return !dso::is_camera_txt(document) || dso::camera_txt_holds(model);
 }
 
 /// The dataset states T_cam_imu and T_cn_cnm1 of one estimate. Where a rig's contradict each other, the chain and the first
@@ -83,61 +79,14 @@ void remove_time_offsets(Rig& rig, const Rig* old, std::vector<Loss>& losses) {
 /// Is DSO's text asked for: by the name of the file to be written, or by the base where that name says nothing else?
 bool wants_camera_txt(const text::Document* base, const WriteOptions& options) {
   if (options.extension == ".txt") return true;
-  return base != nullptr && is_camera_txt(*base) && options.extension != ".yaml" && options.extension != ".yml";
-}
-
-/// The base, a camera.txt, with the numbers of the rig's one camera. Nothing, and `why` says why, if it cannot say them.
-std::optional<text::Document> edited_base(const text::Document& base, const Rig& rig, Message& why) {
-  why = problem_with_camera_txt(rig);
-  // In shares of the image's size, the base can say another centre than in pixels.
-  if (why.is_said() && rig.cameras.size() != 1) return std::nullopt;
-  std::optional<text::Document> document = edited_camera_txt(base, rig.cameras.front());
-  if (!document && !why.is_said()) why = {Code::kCameraTxtCentreNoShare};
-  return document;
-}
-
-/// A fresh camera.txt per camera. Nothing, and `why` says why, if one of them cannot be.
-std::vector<Written::File> fresh_files(const Rig& rig, Message& why, Diagnostics& diagnostics) {
-  std::vector<Written::File> files;
-  for (const Camera& camera : rig.cameras) {
-    Rig alone;
-    alone.cameras = {camera};
-    why = problem_with_camera_txt(alone);
-    if (why.is_said()) return {};
-    const std::string name = rig.cameras.size() == 1 ? "camera.txt" : as_file_name(camera.name) + ".txt";
-    std::optional<text::Document> document = text::parse_document({name, fresh_camera_txt(camera)}, diagnostics);
-    if (document) files.push_back({*std::move(document), {camera.name}, {"dso"}});
-  }
-  return files;
-}
-
-/// DSO's text: the base with the camera's numbers, or fresh ones. Nothing, and `why` says why, if it cannot say the rig.
-std::optional<Written> write_camera_txt(const text::Document* base, const std::optional<Rig>& old, const Rig& rig, Message& why,
-                                        Diagnostics& diagnostics) {
-  const bool edits = old && is_camera_txt(*base);
-  Written written;
-  if (edits) {
-    std::optional<text::Document> document = edited_base(*base, rig, why);
-    if (!document) return std::nullopt;
-    written.files.push_back({*std::move(document), {rig.cameras.front().name}, {"dso"}});
-  } else {
-    written.files = fresh_files(rig, why, diagnostics);
-    if (written.files.empty()) return std::nullopt;
-    written.defaults.push_back({"rectification (line 3)", "crop", false});
-    written.defaults.push_back({"size of DSO's images (line 4)", Message{Code::kCameraTxtSizeOfCamera}, false});
-  }
-  written.sensor = kLensAlone;
-  list_camera_losses(rig, "DSO", written.losses);
-  const std::vector<ExtraField> there = edits ? old->extra_fields : std::vector<ExtraField>();
-  add_beyond_base(rig.extra_fields, there, Message{Code::kCameraTxtNoPlace}, written.losses);
-  written.headline = {written.files.size() == 1 ? Code::kCameraTxtHeadline : Code::kCameraTxtHeadlineEach};
-  return written;
+  return base != nullptr && dso::is_camera_txt(*base) && options.extension != ".yaml" && options.extension != ".yml";
 }
 
 }  // namespace
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
-  if (documents.size() == 1 && is_camera_txt(documents.front())) return read_camera_txt(documents.front(), diagnostics);
+  if (documents.size() == 1 && dso::is_camera_txt(documents.front()))
+    return dso::read_camera_txt(documents.front(), diagnostics);
   return kalibr::read(documents, options, diagnostics);
 }
 
@@ -151,13 +100,16 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   };
   if (wants_camera_txt(base, options)) {
     Message why;
-    if (std::optional<Written> written = write_camera_txt(base, old, rig_as_named, why, diagnostics)) {
-      if (there && !(old && is_camera_txt(*base))) list_replaced(rig_as_named, *written);
+    const bool edits = old && dso::is_camera_txt(*base);
+    if (edits && rig_as_named.cameras.size() != 1) why = {Code::kCameraTxtManyCameras, {rig_as_named.cameras.size()}};
+    std::optional<Written> written = why.is_said() ? std::nullopt : dso::written(base, old, rig_as_named, why, diagnostics);
+    if (written) {
+      if (there && !edits) list_replaced(rig_as_named, *written);
       return written;
     }
     diagnostics.add(Code::kCameraTxtCamchainInstead, {why});
   }
-  const text::Document* chain = base != nullptr && !is_camera_txt(*base) ? base : nullptr;
+  const text::Document* chain = base != nullptr && !dso::is_camera_txt(*base) ? base : nullptr;
   const bool own_chain = chain != nullptr && !options.adopted;
   Rig rig = rig_as_named;
   std::vector<Loss> losses;

@@ -6,8 +6,8 @@
 namespace fca::test {
 namespace {
 
-const std::string kEquidistant = testdata("formats/tumvi/good/equidistant.txt");
-const std::string kFov = testdata("formats/tumvi/good/fov-bare.txt");
+const std::string kEquidistant = testdata("formats/dso/good/equidistant.txt");
+const std::string kFov = testdata("formats/dso/good/fov-bare.txt");
 
 TEST(CameraTxt, AnotherModelIsAnotherLineOfDsos) {
   const TemporaryFolder folder;
@@ -21,7 +21,7 @@ TEST(CameraTxt, AnotherModelIsAnotherLineOfDsos) {
 }
 
 TEST(CameraTxt, TheInputsLensGoesInto) {
-  for (const std::string& input : {kFov, testdata("formats/tumvi/good/radtan-bare.txt")}) {
+  for (const std::string& input : {kFov, testdata("formats/dso/good/radtan-bare.txt")}) {
     const RunResult other_size = run_program({"convert", input, "--into", kEquidistant});
     EXPECT_EQ(other_size.code, 2) << other_size.err;
     const std::string size = input == kFov ? "1280x1024" : "752x480";

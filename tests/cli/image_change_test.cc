@@ -37,8 +37,8 @@ TEST(ImageChange, EveryFormatSaysTheNewCameras) {
   const ImageChange change = {.crop = ImageRegion{16, 8, {400, 380}}, .binning = 2, .resize = ImageSize{300, 200}};
   for (const char* file :
        {"kalibr/good/tumvi.yaml", "kalibr/good/ds.yaml", "kalibr/good/omni.yaml", "opencv/good/calibration.yml",
-        "opencv/good/fisheye.json", "opencv/good/omnidir.xml", "ocamcalib/good/toolbox.txt", "tumvi/good/equidistant.txt",
-        "tumvi/good/fov-relative.txt", "orbslam3/good/v1-stereo-inertial.yaml", "orbslam3/good/slam-no-opt-eucm.yaml",
+        "opencv/good/fisheye.json", "opencv/good/omnidir.xml", "ocamcalib/good/toolbox.txt", "dso/good/equidistant.txt",
+        "dso/good/fov-relative.txt", "orbslam3/good/v1-stereo-inertial.yaml", "orbslam3/good/slam-no-opt-eucm.yaml",
         "woodscape/good/front.json"}) {
     SCOPED_TRACE(file);
     const std::string path = testdata(std::string("formats/") + file);

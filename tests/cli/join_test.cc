@@ -142,17 +142,16 @@ TEST(JoinedFormats, AnImuBesideFilesOfOneCameraIsALoss) {
 // DSO's camera.txt holds one camera: two of them stay two, as they are.
 TEST(JoinedFormats, LinesOfDsosStayWhatTheyAre) {
   const TemporaryFolder folder;
-  const std::string one = testdata("formats/tumvi/good/equidistant.txt");
-  const std::string two = testdata("formats/tumvi/good/fov-bare.txt");
-  const RunResult run =
-      run_program({"convert", one, two, "--join", "--to", "tumvi", "-o", folder / "{camera}.txt", "--strict"});
+  const std::string one = testdata("formats/dso/good/equidistant.txt");
+  const std::string two = testdata("formats/dso/good/fov-bare.txt");
+  const RunResult run = run_program({"convert", one, two, "--join", "--to", "dso", "-o", folder / "{camera}.txt", "--strict"});
   EXPECT_EQ(run.code, 0) << run.err;
   ASSERT_EQ(folder.names().size(), 2U) << run.out;
   std::multiset<std::string> outputs;
   for (const std::string& name : folder.names()) outputs.insert(read_file(folder / name));
   EXPECT_EQ(outputs, (std::multiset<std::string>{read_file(one), read_file(two)}));
   // With a camera of another format beside them: one line more.
-  const RunResult mixed = run_program({"convert", kTumvi, one, "--join", "--to", "tumvi", "-o", folder / "m/{camera}.txt"});
+  const RunResult mixed = run_program({"convert", kTumvi, one, "--join", "--to", "dso", "-o", folder / "m/{camera}.txt"});
   EXPECT_EQ(mixed.code, 0) << mixed.err;
   for (const char* camera : {"m/cam0.txt", "m/cam1.txt", "m/cam2.txt"})
     EXPECT_TRUE(read_file(folder / camera).starts_with("EquiDistant ")) << camera << mixed.out;

@@ -92,6 +92,21 @@ TEST(Names, AProgramsNameMayMeanALayoutOrASyntax) {
   EXPECT_TRUE(consumers::find_consumer("dso")->load(dso.bytes(), {}).loads()) << dso.text();
 }
 
+// A format that serves several programs calls a file by its own program.
+TEST(Names, AFileGoesByItsProgramsName) {
+  const std::string settings = testdata("formats/orbslam3/good/orbslam2-tight.yaml");
+  const RunResult shown = run_program({"show", settings});
+  EXPECT_TRUE(contains(shown.out, "ORB-SLAM2 settings")) << shown.out;
+  const RunResult json = run_program({"show", settings, "--from", "orbslam2", "--json"});
+  EXPECT_TRUE(contains(json.out, "\"orbslam2\"")) << json.out;
+  const Told pair({"convert", kTumvi, "--max-angle", "40", "--to", "orbslam2"});
+  EXPECT_STREQ(pair.json()["to"].GetString(), "orbslam2");
+  const RunResult txt = run_program({"show", testdata("formats/dso/good/equidistant.txt"), "--from", "dso"});
+  EXPECT_TRUE(contains(txt.out, "DSO camera.txt")) << txt.out;
+  const RunResult list = run_program({"formats"});
+  EXPECT_TRUE(contains(list.out, "ORB-SLAM2 settings") && contains(list.out, "DSO camera.txt")) << list.out;
+}
+
 // gsplat reads COLMAP's files, and fewer models than COLMAP.
 TEST(Names, AProgramGetsAModelThatItTakes) {
   const TemporaryFolder folder;

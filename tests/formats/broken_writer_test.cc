@@ -49,7 +49,7 @@ std::vector<Sample> samples() {
   for (const char* model : {"kb4", "radtan"}) result.push_back({"orbslam3", sample_rig(model, {true, true})});
   for (const char* model : {"eucm", "ds"}) result.push_back({"orbslam3", sample_rig(model, {false, false})});
   for (const char* model : {"kb4", "mei"}) result.push_back({"tumvi", sample_rig(model, {true, true})});
-  for (const char* file : {"ocamcalib/good/toolbox.txt", "woodscape/good/front.json", "tumvi/good/equidistant.txt"}) {
+  for (const char* file : {"ocamcalib/good/toolbox.txt", "woodscape/good/front.json", "dso/good/equidistant.txt"}) {
     result.push_back(
         {std::string(file).substr(0, std::string(file).find('/')), calibration_of(read_file(testdata_dir() / file), file).rig});
   }

@@ -31,6 +31,7 @@ inline constexpr std::array kSharedFolders = {
     SharedFolders{"mrcal", "extra/mrcal", ""},
     SharedFolders{"colmap", "extra/colmap", "", "extra/colmap_rig"},
     SharedFolders{"nerfstudio", "extra/transforms_json", ""},
+    SharedFolders{"dso", "extra/dso_camera_txt", ""},
     SharedFolders{"stella", "extra/stella_vslam", ""},
     SharedFolders{"fast-livo", "extra/fast_livo", ""},
     SharedFolders{"mast3r", "extra/mast3r_intrinsics", ""},

@@ -131,7 +131,7 @@ std::optional<Calibration> read_back(const Base& base, const std::string& bytes)
 bool same_cameras(const Base& base, const Rig& a, const Rig& b) {
   const bool binned = base.calibration.format->id == "ros" && base.bytes.find("binning_") != std::string::npos;
   const std::string_view format = base.calibration.format->id;
-  const bool rounds = format == "tumvi" || format == "colmap" || format == "nerfstudio" || binned;
+  const bool rounds = format == "dso" || format == "colmap" || format == "nerfstudio" || binned;
   if (!rounds) return a.cameras == b.cameras;
   return std::ranges::equal(a.cameras, b.cameras, [](const Camera& x, const Camera& y) {
     return x.model.index() == y.model.index() &&
@@ -157,6 +157,9 @@ bool others_follow(const Base& base, const ModelInfo& model, const Parameter& pa
   if (base.calibration.format->id == "nerfstudio" && base.bytes.find("camera_angle_x") != std::string::npos &&
       parameter.name.starts_with('f'))
     return true;
+  // A baseline in pixels follows the focal length.
+  const bool has_baseline = base.calibration.rig.baseline_m.has_value();
+  if (base.calibration.format->id == "stella" && has_baseline && parameter.name == "fx") return true;
   if (base.calibration.format->id == "vins" && model.id == "ocamcalib") return parameter.name != "cx" && parameter.name != "cy";
   return base.calibration.format->id == "ocamcalib" && parameter.name.starts_with('a');
 }
@@ -214,10 +217,13 @@ bool stores_no_matrix(const Base& base) {
   return std::ranges::find(kFormats, base.calibration.format->id) != kFormats.end();
 }
 
-/// P of a camera_info has a place in the rectified image's plane.
-bool stores_in_plane(const Base& base, int element) {
+/// Of the place in the rectified image P of a camera_info has two numbers, and stella_vslam one for both cameras: how far the
+/// second stands to the right of the first.
+bool has_no_number(const Base& base, const PoseEdge& edge, int element) {
+  constexpr int kRight = 3;
   constexpr int kDepth = 11;
-  return base.calibration.format->id == "ros" && element == kDepth;
+  if (base.calibration.format->id == "ros") return element == kDepth;
+  return base.calibration.format->id == "stella" && element % 4 == 3 && (element != kRight || edge.b == "cam0");
 }
 
 TEST(EditProperty, OneElementOfAPoseChangesItsOwnNumberOnly) {
@@ -230,7 +236,7 @@ TEST(EditProperty, OneElementOfAPoseChangesItsOwnNumberOnly) {
     for (std::size_t p = 0; p < base.calibration.rig.poses.size(); ++p) {
       for (int element = 0; element < kElements; ++element) {
         const bool of_rotation = element % 4 != 3;
-        if ((of_rotation && stores_no_matrix(base)) || stores_in_plane(base, element)) continue;
+        if ((of_rotation && stores_no_matrix(base)) || has_no_number(base, base.calibration.rig.poses[p], element)) continue;
         Rig rig = base.calibration.rig;
         double& value = rig.poses[p].T_a_b(element / 4, element % 4);
         value = storable(base, value + shift(random));
@@ -252,6 +258,8 @@ TEST(EditProperty, APoseStatedTheOtherWayRoundEditsTheStatementThatIsThere) {
     for (std::size_t p = 0; p < base.calibration.rig.poses.size(); ++p) {
       Rig rig = base.calibration.rig;
       PoseEdge& edge = rig.poses[p];
+      constexpr int kRight = 3;
+      if (has_no_number(base, edge, kRight)) continue;
       edge.T_a_b(0, 3) += 0.125;
       const std::optional<Transform> T_b_a = inverse(edge.T_a_b);
       if (!T_b_a) continue;

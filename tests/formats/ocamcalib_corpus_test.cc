@@ -27,7 +27,7 @@ TEST(WordsCorpus, DsoFilesAreReadAndWrittenBack) {
   for (const std::string& file : files) {
     const ReadCorpusFile outcome = read_corpus_file(file);
     ASSERT_TRUE(outcome.calibration) << file;
-    EXPECT_EQ(outcome.calibration->format->id, "tumvi") << file;
+    EXPECT_EQ(outcome.calibration->format->id, "dso") << file;
     const Written written =
         written_by(*outcome.calibration->format, &outcome.calibration->documents.front(), outcome.calibration->rig);
     ASSERT_EQ(written.files.size(), 1U) << file;

@@ -142,7 +142,7 @@ TEST(CameraTxt, WhatTheFilesMean) {
   };
   for (const Meaning& meaning : meanings) {
     SCOPED_TRACE(meaning.file);
-    const std::string bytes = read_file(testdata_dir() / "tumvi/good" / meaning.file);
+    const std::string bytes = read_file(testdata_dir() / "dso/good" / meaning.file);
     const Calibration calibration = calibration_of(bytes, meaning.file);
     const Camera& camera = calibration.rig.cameras.at(0);
     EXPECT_EQ(model_info(camera.model).id, meaning.model);
@@ -157,7 +157,7 @@ TEST(CameraTxt, WhatTheFilesMean) {
 
 // Every number, one at a time; in the relative form a centre and a focal length are written as shares.
 TEST(CameraTxt, OneNumberChangesItsOwnBytesOnly) {
-  for (const fs::path& path : files_in(testdata_dir() / "tumvi/good", ".txt")) {
+  for (const fs::path& path : files_in(testdata_dir() / "dso/good", ".txt")) {
     const std::string bytes = read_file(path);
     const Calibration calibration = calibration_of(bytes, path.filename().string());
     const auto& parameters = model_info(calibration.rig.cameras[0].model).parameters;
@@ -186,7 +186,7 @@ TEST(CameraTxt, OneNumberChangesItsOwnBytesOnly) {
 
 RC_GTEST_PROP(CameraTxt, AnyOtherCameraOfTheModelReadsBack, ()) {
   const std::string file = *rc::gen::element<std::string>("equidistant.txt", "radtan-bare.txt", "fov-bare.txt", "pinhole.txt");
-  const Calibration calibration = calibration_of(read_file(testdata_dir() / "tumvi/good" / file), file);
+  const Calibration calibration = calibration_of(read_file(testdata_dir() / "dso/good" / file), file);
   Rig rig = calibration.rig;
   Camera& camera = rig.cameras.front();
   camera.image_size = ImageSize{*rc::gen::inRange(64, 3000), *rc::gen::inRange(64, 3000)};
@@ -202,7 +202,7 @@ RC_GTEST_PROP(CameraTxt, AnyOtherCameraOfTheModelReadsBack, ()) {
 
 // Shares cannot say every double of a pixel: the nearest is written, and less than a billionth of a pixel lost.
 RC_GTEST_PROP(CameraTxt, RelativeNumbersReadBackToRounding, ()) {
-  const Calibration calibration = calibration_of(read_file(testdata_dir() / "tumvi/good/fov-relative.txt"), "camera.txt");
+  const Calibration calibration = calibration_of(read_file(testdata_dir() / "dso/good/fov-relative.txt"), "camera.txt");
   Rig rig = calibration.rig;
   Camera& camera = rig.cameras.front();
   for (const ParameterId name : ParameterIds{"fx", "fy", "cx", "cy"})
@@ -216,7 +216,7 @@ RC_GTEST_PROP(CameraTxt, RelativeNumbersReadBackToRounding, ()) {
 // Another lens of DSO's is another name in line 1; the rest stays.
 TEST(CameraTxt, AnotherLensIsAnotherFirstLine) {
   for (const char* file : {"radtan-bare.txt", "equidistant.txt", "fov-bare.txt", "pinhole.txt", "fov-relative.txt"}) {
-    const std::string bytes = read_file(testdata_dir() / "tumvi/good" / file);
+    const std::string bytes = read_file(testdata_dir() / "dso/good" / file);
     const Calibration calibration = calibration_of(bytes, "camera.txt");
     const std::string_view own = model_info(calibration.rig.cameras[0].model).id;
     for (const char* model : {"kb4", "radtan", "fov", "pinhole"}) {
@@ -242,7 +242,7 @@ TEST(CameraTxt, AnotherLensIsAnotherFirstLine) {
 
 // DSO has no such lens, or would take the centre for a relative one: the camera goes into a chain, and that is said.
 TEST(CameraTxt, WhatItCannotSayBecomesAChain) {
-  const Calibration calibration = calibration_of(read_file(testdata_dir() / "tumvi/good/radtan-bare.txt"), "camera.txt");
+  const Calibration calibration = calibration_of(read_file(testdata_dir() / "dso/good/radtan-bare.txt"), "camera.txt");
   const auto becomes_a_chain = [&calibration](const Rig& rig) {
     Diagnostics diagnostics;
     const std::optional<Written> written = tumvi_format().write(&calibration.documents.front(), rig, {}, diagnostics);
@@ -265,7 +265,7 @@ TEST(CameraTxt, WhatItCannotSayBecomesAChain) {
 
 // A name that ends in .txt asks for DSO's text.
 TEST(CameraTxt, AFreshOneByItsName) {
-  const Calibration calibration = calibration_of(read_file(testdata_dir() / "tumvi/good/equidistant.txt"), "camera.txt");
+  const Calibration calibration = calibration_of(read_file(testdata_dir() / "dso/good/equidistant.txt"), "camera.txt");
   for (const char* extension : {".txt", ".yaml"}) {
     WriteOptions options;
     options.extension = extension;

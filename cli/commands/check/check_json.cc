@@ -8,6 +8,7 @@
 #include "shell/verdict_json.h"
 
 #include <fca/formats/wording.h>
+#include <fca/toolkit/format_name.h>
 
 #include <set>
 
@@ -29,7 +30,7 @@ void put_finding(Json& json, const Finding& finding, const text::Source& source)
 void put_file(Json& json, const CheckResult& file, const Console& console) {
   const CheckReport& report = file.report;
   json.put("file", file.source.name);
-  report.format != nullptr ? json.put("format", report.format->id) : json.null("format");
+  report.format != nullptr ? json.put("format", name_of(*report.format, file.source).id) : json.null("format");
   put_verdict(json, report.verdict);
   json.array("findings", report.findings,
              [&](const Finding& finding) { json.object([&] { put_finding(json, finding, file.source); }); });

@@ -9,6 +9,7 @@
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/render.h>
 #include <fca/formats/wording.h>
+#include <fca/toolkit/format_name.h>
 
 #include <algorithm>
 #include <span>
@@ -73,7 +74,7 @@ std::string check_text(const CheckResult& file, CheckDetail detail) {
   const CheckReport& report = file.report;
   std::string text = text::printable(file.source.name) + ": " + std::string(in_words(report.verdict.word)) + "; ";
   text += report.format == nullptr ? ""
-                                   : std::string(report.format->title) + " (" +
+                                   : std::string(name_of(*report.format, file.source).title) + " (" +
                                          (report.why.is_said() ? text::text_of(report.why, with_options) : "--from") + "); ";
   text += count_text(report) + "\n";
   text += reasons_text(report);

@@ -7,6 +7,8 @@
 #include "shell/option_hints.h"
 #include "shell/words.h"
 
+#include <fca/toolkit/format_name.h>
+
 #include <cmath>
 #include <limits>
 
@@ -134,6 +136,10 @@ void put_comparison(Json& json, const RigComparison& comparison) {
   json.put("only_in_file", std::span<const std::string>(in_other));
 }
 
+std::string_view format_of(const Calibration& calibration) {
+  return name_of(*calibration.format, calibration.documents[calibration.with_cameras]).id;
+}
+
 }  // namespace
 
 std::string compare_json(const ReferenceFile& reference, const std::vector<ComparedFile>& files, const Console& console) {
@@ -141,11 +147,11 @@ std::string compare_json(const ReferenceFile& reference, const std::vector<Compa
   json.object([&] {
     json.put("fca_io", FCA_VERSION);
     json.put("reference", reference.file);
-    reference.calibration ? json.put("format", reference.calibration->format->id) : json.null("format");
+    reference.calibration ? json.put("format", format_of(*reference.calibration)) : json.null("format");
     json.array("files", files, [&](const ComparedFile& compared) {
       json.object([&] {
         json.put("file", compared.file);
-        compared.calibration ? json.put("format", compared.calibration->format->id) : json.null("format");
+        compared.calibration ? json.put("format", format_of(*compared.calibration)) : json.null("format");
         json.put("exit_code", static_cast<int>(exit_code(compared.status)));
         json.put("verdict", verdict_of(compared));
         json.put("identical", is_identical(compared));

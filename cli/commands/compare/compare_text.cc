@@ -7,6 +7,7 @@
 
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/toolkit/format_name.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,14 +99,18 @@ std::string camera_text(const CameraComparison& camera, bool with_bands) {
   return text + corners_text(judgement);
 }
 
+std::string title_of(const Calibration& calibration) {
+  return std::string(name_of(*calibration.format, calibration.documents[calibration.with_cameras]).title);
+}
+
 }  // namespace
 
 std::string compare_text(const ReferenceFile& reference, const ComparedFile& compared, bool with_bands) {
   const RigComparison& comparison = *compared.comparison;
   const std::string reference_name = text::printable(reference.file);
   const std::string name = text::printable(compared.file);
-  std::string text = name + " (" + std::string(compared.calibration->format->title) + ") beside " + reference_name + " (" +
-                     std::string(reference.calibration->format->title) + ")\n";
+  std::string text = name + " (" + title_of(*compared.calibration) + ") beside " + reference_name + " (" +
+                     title_of(*reference.calibration) + ")\n";
   text += numbers_text(comparison);
   for (const CameraComparison& camera : comparison.cameras) text += camera_text(camera, with_bands);
   if (inverses_differ(compared)) {

@@ -11,6 +11,7 @@
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
+#include <fca/toolkit/format_name.h>
 
 #include <algorithm>
 
@@ -137,12 +138,24 @@ void put_outputs(Json& json, const char* key, const ConvertOutcome& outcome, con
   });
 }
 
+/// What the input is called, by its bytes where they are at hand.
+std::string_view name_of_input(const ConvertOutcome& outcome, std::span<const text::Source> sources) {
+  const auto source = std::ranges::find(sources, outcome.input, &text::Source::name);
+  return source != sources.end() ? name_of(*outcome.from, *source).id : outcome.from->id;
+}
+
+std::string_view name_of_output(const ConvertOutcome& outcome) {
+  if (outcome.files.empty()) return outcome.to->id;
+  const ConvertedFile& file = outcome.files.front();
+  return name_of(*outcome.to, text::Source{file.name, file.bytes}).id;
+}
+
 }  // namespace
 
 void put_conversion(Json& json, const ConvertOutcome& outcome, std::span<const text::Source> sources) {
   json.put("input", outcome.input);
-  if (outcome.from != nullptr) json.put("from", outcome.from->id);
-  if (outcome.to != nullptr) json.put("to", outcome.to->id);
+  if (outcome.from != nullptr) json.put("from", name_of_input(outcome, sources));
+  if (outcome.to != nullptr) json.put("to", name_of_output(outcome));
   if (outcome.headline.is_said()) json.put("headline", text::text_of(outcome.headline, with_options));
   if (outcome.status <= Status::kRejected) put_verdict(json, outcome.verdict);
   const std::vector<ConvertedFile> none;

@@ -12,6 +12,7 @@
 
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/toolkit/format_name.h>
 #include <fca/toolkit/models.h>
 #include <fca/toolkit/read.h>
 
@@ -65,6 +66,9 @@ std::string format_details(const Format& format) {
     const std::string head = "    " + padded(models[i], model_width) + padded(names[i], name_width);
     const std::string readers = "read by " + std::string(row.read_by) + (row.stock ? "" : "; only with --model");
     text += head + in_columns(readers, head.size(), head.size()) + "\n";
+  }
+  for (const FormatName& name : further_names(format)) {
+    text += "  " + padded(name.id, model_width) + std::string(name.title) + ", a layout of " + std::string(format.id) + "\n";
   }
   return text;
 }

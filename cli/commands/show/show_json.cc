@@ -11,6 +11,7 @@
 
 #include <fca/formats/wording.h>
 #include <fca/rig/fields_of_view.h>
+#include <fca/toolkit/format_name.h>
 
 namespace fca::cli {
 
@@ -83,7 +84,7 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
   json.put("file", shown.file);
   if (shown.calibration) {
     const Calibration& calibration = *shown.calibration;
-    json.put("format", calibration.format->id);
+    json.put("format", name_of(*calibration.format, calibration.documents[calibration.with_cameras]).id);
     json.put("why", text::text_of(calibration.why, with_options));
     json.array("cameras", calibration.rig.cameras,
                [&](const Camera& camera) { json.object([&] { put_camera(json, camera, shown.limit_deg); }); });

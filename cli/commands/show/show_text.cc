@@ -11,6 +11,7 @@
 #include <fca/formats/text/prose.h>
 #include <fca/formats/wording.h>
 #include <fca/rig/fields_of_view.h>
+#include <fca/toolkit/format_name.h>
 
 #include <algorithm>
 #include <cmath>
@@ -192,7 +193,8 @@ std::string readings_text(const ShownFile& shown) {
 std::string show_text(const ShownFile& shown) {
   if (!shown.readings.empty()) return readings_text(shown);
   const Calibration& calibration = *shown.calibration;
-  std::string text = text::printable(shown.file) + ": " + verdict_in_words(shown) + std::string(calibration.format->title) +
+  std::string text = text::printable(shown.file) + ": " + verdict_in_words(shown) +
+                     std::string(name_of(*calibration.format, calibration.documents[calibration.with_cameras]).title) +
                      parts_in_words(calibration.rig) + " (" + text::text_of(calibration.why, with_options) + ")\n";
   constexpr double kWholeSphere = 180.0;
   if (shown.asked) text += program_reading_text(*shown.asked, calibration, shown.file, shown.limit_deg < kWholeSphere);

@@ -307,6 +307,8 @@ std::vector<Source> corpus_sources(const std::string& format) {
       {"kimera", "MIT-SPARK__Kimera-VIO__params__uHumans1__LeftCameraParams.yaml"},
       {"nerfstudio", "sangminkim-99__COLMAP_multicam__transforms.json"},
       {"nerfstudio", "AspasZhang__NeRF__transforms_test.json"},
+      {"dso", "lukasvst__dm-vio__configs__euroc__camera.txt"},
+      {"dso", "lukasvst__dm-vio__configs__oakd_calib__camera_left.txt"},
       {"stella", "stella-cv__stella_vslam__example__tum_vi__TUM_VI_stereo.yaml"},
       {"stella", "stella-cv__stella_vslam__example__gopro__gopro.yaml"},
       {"fast-livo", "hku-mars__FAST-LIVO2__config__camera_fisheye_HILTI22.yaml"},

@@ -45,6 +45,7 @@ const FormatReader* find_reader(const std::string& id) {
       {"mrcal", mrcal::camera, mrcal::relative_poses},
       {"colmap", colmap::camera, colmap::relative_poses},
       {"nerfstudio", nerfstudio::camera, nerfstudio::relative_poses},
+      {"dso", tumvi::camera, tumvi::relative_poses},
       {"stella", stella::camera, stella::relative_poses},
       {"fast-livo", fast_livo::camera, fast_livo::relative_poses},
       {"mast3r", mast3r::camera, mast3r::relative_poses},

@@ -12,7 +12,7 @@
 
 #include <fca/formats/format.h>
 
-namespace fca::tumvi {
+namespace fca::dso {
 
 /// Words that are such a file, whatever is wrong with it.
 [[nodiscard]] ProbeResult probe_camera_txt(const text::Document& document);
@@ -33,4 +33,4 @@ namespace fca::tumvi {
 /// A fresh camera.txt of a camera that one can say: DSO crops to a rectified image of the camera's own size.
 [[nodiscard]] std::string fresh_camera_txt(const Camera& camera);
 
-}  // namespace fca::tumvi
+}  // namespace fca::dso

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace fca::tumvi {
+namespace fca::dso {
 
 using text::Node;
 
@@ -325,4 +325,4 @@ std::optional<text::Document> edited_camera_txt(const text::Document& base, cons
   return document;
 }
 
-}  // namespace fca::tumvi
+}  // namespace fca::dso
