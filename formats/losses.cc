@@ -21,7 +21,8 @@ namespace fca {
 namespace {
 
 /// What tunes a program comes in numbers, and says nothing of the calibration or the images.
-constexpr std::array<std::string_view, 5> kTuning = {"Viewer.", "ORBextractor.", "vins.", "kimera.", "stella."};
+constexpr std::array<std::string_view, 7> kTuning = {"Viewer.", "ORBextractor.", "vins.",  "kimera.",
+                                                     "okvis.",  "svo.",          "stella."};
 
 /// "Viewer." of "Viewer.PointSize"; nothing of a key that is no tuning.
 std::string_view group_of(const ExtraField& extra) {

@@ -63,9 +63,9 @@ SourceRange Places::of(const std::function<void(Rig&)>& change, std::optional<do
   Rig changed = calibration_->rig;
   change(changed);
   // A rig of hundreds of cameras with as many findings would take minutes; the largest real one has 80.
-  constexpr std::size_t kMostCameras = 32;
+  constexpr std::size_t kMostSearched = 32;
   constexpr int kMostAsked = 100;
-  const bool ask = changed.cameras.size() <= kMostCameras && asked_++ < kMostAsked;
+  const bool ask = changed.cameras.size() <= kMostSearched && asked_++ < kMostAsked;
   if (!anyway_) anyway_ = ask ? edits_for(calibration_->rig) : std::vector<text::Span>();
   std::vector<text::Span> spans = ask ? edits_for(changed) : std::vector<text::Span>();
   std::erase_if(spans, [this](const text::Span& span) { return std::ranges::find(*anyway_, span) != anyway_->end(); });

@@ -30,6 +30,10 @@ constexpr std::array kWoodscape = {Name("synwoodscape")};
 constexpr std::array kEuroc = {Name("asl"), Name("mav0"), Name("tum-vi-mav0"), Name("euroc-mav")};
 constexpr std::array kCuvslam = {Name("cuvslam"), Name("pycuvslam"), Name("pycuvslam-euroc")};
 constexpr std::array kKimera = {Name("kimera-vio"), Name("kimera-multi"), Name("hydra")};
+constexpr std::array kSvo = {Name("svo"), Name("svo-pro"), Name("vikit"), Name("rpg"), Name("ultimate-slam")};
+constexpr std::array kMaplab = {Name("maplab"), Name("rovioli")};
+constexpr std::array kOkvis2 = {Name("okvis2")};
+constexpr std::array kOkvis2X = {Name("okvis2-x")};
 constexpr std::array kColmap = {Name("pycolmap"),
                                 Name("glomap"),
                                 Name("hloc"),
@@ -56,11 +60,9 @@ constexpr std::array kZed = {Name("zed2"), Name("zedmini"), Name("zedx"), Name("
 constexpr std::array kOpenicc = {Name("gopro"), Name("umi"), Name("openimucameracalibrator")};
 
 // Not written: what they read.
-constexpr std::array kOkvis = {Name("okvis"), Name("okvis2"), Name("okvis2-x")};
-constexpr std::array kSvo = {Name("svo"), Name("svo-pro"), Name("vikit"), Name("rpg"), Name("ultimate-slam")};
-constexpr std::array kMaplab = {Name("maplab"), Name("rovioli")};
+
 constexpr std::array kMsckfVio = {Name("msckf_vio"), Name("msckf")};
-constexpr std::array kMrcal = {Name("mrcal"), Name("deltacamera")};
+constexpr std::array kMrcal = {Name("deltacamera")};
 constexpr std::array kOpensfm = {Name("odm"), Name("webodm"), Name("opendronemap")};
 constexpr std::array kAria = {Name("aria"), Name("project-aria"), Name("fisheye624"), Name("vrs")};
 constexpr std::array kNcore = {Name("ftheta"), Name("alpamayo"), Name("nvidia-ncore")};
@@ -100,6 +102,10 @@ constexpr std::array kNames = {
     ProgramName{kEuroc, "EuRoC", "euroc"},
     ProgramName{kCuvslam, "cuVSLAM", "euroc", "", "", "", "cuvslam"},
     ProgramName{kKimera, "Kimera", "kimera"},
+    ProgramName{kOkvis2, "OKVIS2", "okvis"},
+    ProgramName{.names = kOkvis2X, .title = "OKVIS2-X", .format = "okvis", .consumer = "okvis2-x"},
+    ProgramName{kSvo, "SVO", "ncamera"},
+    ProgramName{.names = kMaplab, .title = "maplab", .format = "ncamera", .consumer = "maplab"},
     ProgramName{kColmap, "COLMAP", "colmap"},
     ProgramName{.names = kGsplat, .title = "gsplat", .format = "colmap", .consumer = "gsplat"},
     ProgramName{.names = k3dgrut, .title = "3dgrut", .format = "colmap", .consumer = "3dgrut"},
@@ -114,9 +120,6 @@ constexpr std::array kNames = {
     ProgramName{kRealsense, "RealSense", "realsense"},
     ProgramName{kGraphdeco, "gaussian-splatting", "colmap", "", "",
                 "undistorted images, with the cameras that colmap image_undistorter writes for them"},
-    ProgramName{kOkvis, "OKVIS", "kalibr", "", "", "a configuration of its own in YAML"},
-    ProgramName{kSvo, "SVO", "kalibr", "", "", "an ncamera YAML"},
-    ProgramName{kMaplab, "maplab", "kalibr", "", "", "an ncamera YAML"},
     ProgramName{kMsckfVio, "MSCKF-VIO", "kalibr", "", "", "Kalibr's keys with flat lists for its poses"},
     ProgramName{kMrcal, "mrcal", "mrcal"},
     ProgramName{kOpensfm, "OpenSfM", "opensfm"},

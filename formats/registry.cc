@@ -12,9 +12,11 @@
 #include "mast3r.h"
 #include "metashape.h"
 #include "mrcal/mrcal.h"
+#include "ncamera/ncamera.h"
 #include "ncore.h"
 #include "nerfstudio/nerfstudio.h"
 #include "ocamcalib/ocamcalib.h"
+#include "okvis/okvis.h"
 #include "opencv/opencv.h"
 #include "openicc.h"
 #include "opensfm.h"
@@ -42,16 +44,16 @@ namespace {
 
 const auto& table() {
   static const std::array kTable = {
-      guarded<kalibr::kFormat>(),  guarded<opencv::kFormat>(),    guarded<ocamcalib::kFormat>(),
-      guarded<tumvi::kFormat>(),   guarded<orbslam3::kFormat>(),  guarded<woodscape::kFormat>(),
-      guarded<basalt::kFormat>(),  guarded<openvins::kFormat>(),  guarded<vins::kFormat>(),
-      guarded<ros::kFormat>(),     guarded<euroc::kFormat>(),     guarded<kimera::kFormat>(),
-      guarded<mrcal::kFormat>(),   guarded<colmap::kFormat>(),    guarded<nerfstudio::kFormat>(),
-      guarded<stella::kFormat>(),  guarded<fast_livo::kFormat>(), guarded<dso::kFormat>(),
-      guarded<mast3r::kFormat>(),  guarded<opensfm::kFormat>(),   guarded<metashape::kFormat>(),
-      guarded<kitti::kFormat>(),   guarded<ncore::kFormat>(),     guarded<openicc::kFormat>(),
-      guarded<depthai::kFormat>(), guarded<realsense::kFormat>(), guarded<zed::kFormat>(),
-      guarded<rays::kFormat>(),
+      guarded<kalibr::kFormat>(),    guarded<opencv::kFormat>(),    guarded<ocamcalib::kFormat>(),
+      guarded<tumvi::kFormat>(),     guarded<orbslam3::kFormat>(),  guarded<woodscape::kFormat>(),
+      guarded<basalt::kFormat>(),    guarded<openvins::kFormat>(),  guarded<vins::kFormat>(),
+      guarded<ros::kFormat>(),       guarded<euroc::kFormat>(),     guarded<kimera::kFormat>(),
+      guarded<mrcal::kFormat>(),     guarded<colmap::kFormat>(),    guarded<nerfstudio::kFormat>(),
+      guarded<stella::kFormat>(),    guarded<fast_livo::kFormat>(), guarded<dso::kFormat>(),
+      guarded<okvis::kFormat>(),     guarded<ncamera::kFormat>(),   guarded<mast3r::kFormat>(),
+      guarded<opensfm::kFormat>(),   guarded<metashape::kFormat>(), guarded<kitti::kFormat>(),
+      guarded<ncore::kFormat>(),     guarded<openicc::kFormat>(),   guarded<depthai::kFormat>(),
+      guarded<realsense::kFormat>(), guarded<zed::kFormat>(),       guarded<rays::kFormat>(),
   };
   return kTable;
 }

@@ -41,6 +41,9 @@ inline constexpr std::array<std::string_view, 9> kTakenByLichtfeld = {
 /// transforms.json, and the file of COLMAP's that ns-process-data makes one of.
 [[nodiscard]] ConsumerView load_nerfstudio(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_mrcal(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_okvis(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_okvis2(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_okvis2_x(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_openvins(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_openvins_imu(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_openvslam(std::string_view bytes, const LoadOptions& options);
@@ -56,6 +59,8 @@ inline constexpr std::array<std::string_view, 9> kTakenByLichtfeld = {
 [[nodiscard]] ConsumerView load_vins(std::string_view bytes, const LoadOptions& options);
 /// For those that read with cv::FileStorage, whose libraries the command loads when it asks the first of them.
 void prepare_storage_programs();
+[[nodiscard]] ConsumerView load_svo(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_maplab(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_ros(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_dso(std::string_view bytes, const LoadOptions& options);
 

@@ -29,6 +29,9 @@ ConsumerView load_kimera(std::string_view bytes, const LoadOptions& options) { r
 ConsumerView load_kimera_imu(std::string_view bytes, const LoadOptions& options) {
   return programs().kimera_imu(bytes, options);
 }
+ConsumerView load_okvis(std::string_view bytes, const LoadOptions& options) { return programs().okvis(bytes, options); }
+ConsumerView load_okvis2(std::string_view bytes, const LoadOptions& options) { return programs().okvis2(bytes, options); }
+ConsumerView load_okvis2_x(std::string_view bytes, const LoadOptions& options) { return programs().okvis2_x(bytes, options); }
 ConsumerView load_openvins(std::string_view bytes, const LoadOptions& options) { return programs().openvins(bytes, options); }
 ConsumerView load_openvins_imu(std::string_view bytes, const LoadOptions& options) {
   return programs().openvins_imu(bytes, options);

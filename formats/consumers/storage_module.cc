@@ -10,6 +10,10 @@ extern "C" __attribute__((visibility("default"))) const void* fca_storage_progra
   namespace consumers = fca::consumers;
   static constexpr consumers::StoragePrograms kPrograms = {.kimera = &consumers::load_kimera,
                                                            .kimera_imu = &consumers::load_kimera_imu,
+
+                                                           .okvis = &consumers::load_okvis,
+                                                           .okvis2 = &consumers::load_okvis2,
+                                                           .okvis2_x = &consumers::load_okvis2_x,
                                                            .openvins = &consumers::load_openvins,
                                                            .openvins_imu = &consumers::load_openvins_imu,
                                                            .orbslam3 = &consumers::load_orbslam3,

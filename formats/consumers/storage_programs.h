@@ -10,6 +10,9 @@ struct StoragePrograms {
   using Load = ConsumerView (*)(std::string_view bytes, const LoadOptions& options);
   Load kimera;
   Load kimera_imu;
+  Load okvis;
+  Load okvis2;
+  Load okvis2_x;
   Load openvins;
   Load openvins_imu;
   Load orbslam3;

@@ -56,6 +56,9 @@ std::vector<Statement> write_side(const Subject& subject, const Key& key, bool i
   return states(key.with.real ? fields::real(key.text(), side) : fields::integer(key.text(), side), fact);
 }
 
+/// A delay is a time offset the other way round.
+double turned(double seconds) { return seconds == 0.0 ? 0.0 : -seconds; }
+
 /// The first time offset that is stated [s].
 std::optional<double> common_offset(const Rig& rig) {
   const auto stated = std::ranges::find_if(rig.cameras, [](const Camera& camera) { return camera.time_offset_s.has_value(); });
@@ -203,6 +206,20 @@ bool read_common_offset(Reading& reading, const Key& key, const Node& node) {
 std::vector<Statement> write_common_offset(const Subject& subject, const Key& key) {
   const long long offset = std::llround(common_offset(subject.rig).value_or(0.0) * key.with.per_second);
   return states(fields::scalar(key.text(), std::to_string(offset)), {FactKind::kTimeOffset});
+}
+
+bool read_common_delay(Reading& reading, const Key& key, const Node& node) {
+  const std::optional<double> delay = reading.reader.time_offset(node, reading.label(key));
+  if (!delay) return false;
+  for (Camera& camera : reading.rig.cameras) camera.time_offset_s = turned(*delay);
+  return true;
+}
+
+/// An edit leaves it where the rig says nothing of it.
+std::vector<Statement> write_common_delay(const Subject& subject, const Key& key) {
+  const std::optional<double> offset = common_offset(subject.rig);
+  if (!offset && subject.fresh == nullptr) return {};
+  return states(fields::real(key.text(), turned(offset.value_or(0.0))), {FactKind::kTimeOffset});
 }
 
 }  // namespace fca::schema

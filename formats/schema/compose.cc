@@ -107,6 +107,19 @@ std::optional<text::Document> composed_yaml(const Subject& subject, std::string 
   return std::move(file).document(std::move(name), diagnostics);
 }
 
+std::string yaml_lines(const Subject& subject, const Mapping& mapping, std::size_t depth, std::size_t deeper) {
+  std::string text;
+  for (const Key* key : in_written_order(mapping)) {
+    if (key->with.only_edited) continue;
+    if (key->with.mapping != nullptr) {
+      text += blanks(depth) + key->text() + ":\n" + yaml_lines(subject, *key->with.mapping, depth + deeper, deeper);
+    } else if (key->write != nullptr) {
+      for (const fields::Field& field : fields_of(key->write(subject, *key))) text += fields::spell(field, depth) + "\n";
+    }
+  }
+  return text;
+}
+
 std::string composed_json(const Schema& schema, const Rig& rig, std::size_t camera, Written& written) {
   const Subject subject{.schema = schema, .rig = rig, .camera = camera, .fresh = &written};
   return enclosed(members(subject, schema.root, kDeeper), '{', '}', 0) + "\n";

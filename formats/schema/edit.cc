@@ -92,8 +92,13 @@ bool same_cameras(const Rig& old, const Rig& rig) {
 
 text::Document edited(const text::Document& base, const Subject& before, const Subject& after, Written& written) {
   text::Document document = base;
-  Editor(document, written).edit(after.schema.root, document.root(), before, after);
+  edit(document, after.schema.root, document.root(), before, after, written);
   return document;
+}
+
+void edit(text::Document& document, const Mapping& mapping, const Node& node, const Subject& before, const Subject& after,
+          Written& written) {
+  Editor(document, written).edit(mapping, node, before, after);
 }
 
 }  // namespace fca::schema

@@ -20,6 +20,7 @@ bool read_image_sides(Reading& reading, const Key& key, const text::Node& node);
 bool read_image_size(Reading& reading, const Key& key, const text::Node& node);
 bool read_time_offset(Reading& reading, const Key& key, const text::Node& node);
 bool read_common_offset(Reading& reading, const Key& key, const text::Node& node);
+bool read_common_delay(Reading& reading, const Key& key, const text::Node& node);
 bool read_topic(Reading& reading, const Key& key, const text::Node& node);
 bool read_pose(Reading& reading, const Key& key, const text::Node& node);
 bool read_density(Reading& reading, const Key& key, const text::Node& node);
@@ -49,6 +50,7 @@ std::vector<Statement> write_image_height(const Subject& subject, const Key& key
 std::vector<Statement> write_image_size(const Subject& subject, const Key& key);
 std::vector<Statement> write_time_offset(const Subject& subject, const Key& key);
 std::vector<Statement> write_common_offset(const Subject& subject, const Key& key);
+std::vector<Statement> write_common_delay(const Subject& subject, const Key& key);
 std::vector<Statement> write_topic(const Subject& subject, const Key& key);
 std::vector<Statement> write_pose(const Subject& subject, const Key& key);
 std::vector<Statement> write_density(const Subject& subject, const Key& key);
@@ -116,6 +118,11 @@ constexpr Key time_offset(std::string_view name) { return {name, FactKind::kTime
 /// The time offset of all cameras, t_imu = t_cam + offset, in whole units (1e9 per second: nanoseconds).
 constexpr Key common_time_offset(std::string_view name, double per_second) {
   return {name, FactKind::kTimeOffset, read_common_offset, write_common_offset, {.per_second = per_second}};
+}
+
+/// The delay of all cameras' stamps [s]: t_imu = t_cam - delay.
+constexpr Key common_delay(std::string_view name) {
+  return {name, FactKind::kTimeOffset, read_common_delay, write_common_delay};
 }
 
 /// A noise density of the IMU in our unit: a list with the same number for each axis. Older files have one number for all.

@@ -236,6 +236,10 @@ struct Subject {
 [[nodiscard]] std::optional<text::Document> composed_yaml(const Subject& subject, std::string head, std::string name,
                                                           Diagnostics& diagnostics);
 
+/// The keys of a mapping and of those below it in a fresh YAML file, line by line: `depth` blanks before the first, `deeper`
+/// more for each level.
+[[nodiscard]] std::string yaml_lines(const Subject& subject, const Mapping& mapping, std::size_t depth, std::size_t deeper);
+
 /// Reads documents by the table; nothing, with errors, where they hold no calibration.
 [[nodiscard]] std::optional<Rig> read(const Schema& schema, std::span<const text::Document> documents,
                                       const ReadOptions& options, Diagnostics& diagnostics);
@@ -253,6 +257,10 @@ void keep_unread(Reading& reading, const Mapping& mapping, const text::Node& nod
 [[nodiscard]] bool same_cameras(const Rig& old, const Rig& rig);
 /// The base, which states `before`, with other numbers where `after` states others. The cameras are the same ones.
 [[nodiscard]] text::Document edited(const text::Document& base, const Subject& before, const Subject& after, Written& written);
+
+/// The same of one mapping of a document, which lies anywhere in it.
+void edit(text::Document& document, const Mapping& mapping, const text::Node& node, const Subject& before, const Subject& after,
+          Written& written);
 
 /// The node that states a fact of a camera (`camera`: its index; any for facts of the IMU); null where none does.
 [[nodiscard]] const text::Node* place_of(const Schema& schema, const text::Document& document, const Rig& rig,

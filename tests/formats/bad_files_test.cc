@@ -23,6 +23,15 @@ namespace fca::test {
 namespace {
 
 /// Is that the program which files of the format are written for?
+/// Of two programs whose files have keys of their own, is it that of this file?
+bool is_of_layout(const std::string& program, const text::Document& document) {
+  const auto has = [&document](std::string_view key) {
+    return std::ranges::any_of(document.root().entries, [key](const text::Entry& entry) { return entry.key.value == key; });
+  };
+  if (program == "OKVIS" || program == "OKVIS2") return (program == "OKVIS") == has("camera_params");
+  return program == "maplab" || (program == "SVO" && !has("sensors"));
+}
+
 bool is_stock(const std::string& program, const Calibration& calibration) {
   if (calibration.format->id == "dso") return program.starts_with("DSO");
   constexpr std::array<std::string_view, 17> kBegin = {
@@ -34,6 +43,8 @@ bool is_stock(const std::string& program, const Calibration& calibration) {
   if (program == "VINS-Fusion (configuration)") return false;
   return std::ranges::any_of(kBegin, [&program](std::string_view begin) { return program.starts_with(begin); }) ||
          (calibration.format->id == "openvins" && program.starts_with("OpenVINS"));
+  if (calibration.format->id == "okvis" || calibration.format->id == "ncamera")
+    return is_of_layout(program, calibration.documents.front());
 }
 
 /// "3:11-15": where it begins and ends; "3:11" of one character, "-" of the whole file.

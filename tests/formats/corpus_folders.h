@@ -41,6 +41,8 @@ inline constexpr std::array kSharedFolders = {
     SharedFolders{"openicc", "extra/openicc", ""},
     SharedFolders{"zed", "extra/zed_conf", ""},
     SharedFolders{"realsense", "extra/realsense", ""},
+    SharedFolders{"okvis", "extra/okvis", ""},
+    SharedFolders{"ncamera", "extra/vikit_svo", "", "extra/maplab_ncamera"},
 };
 
 /// Those of a format that are there: OpenVINS' files lie among Kalibr's.

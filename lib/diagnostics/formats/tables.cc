@@ -39,6 +39,8 @@ std::span<const CodeInfo> table_codes() {
       clause(Code::kTableInitialValue, "{0} (of {1}'s example: the input does not state it)"),
       clause(Code::kTableStockValue, "as in {0}'s example"),
       clause(Code::kTableOneOffset, "the file has one for all cameras"),
+      // {0}: the program.
+      clause(Code::kTableMadeUpId, "made up: {0} tells sensors apart by it"),
       loss(Code::kTableFurtherImu, "imu-dropped", "{0} noise and rate", "one IMU is written", "keep its file"),
   };
   return kRows;

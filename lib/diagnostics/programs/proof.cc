@@ -23,8 +23,13 @@ std::span<const CodeInfo> proof_codes() {
       named_refusal(Code::kProgramSaysMissing, "{0} is missing; {1} stops", kAddTheKey),
       named_refusal(Code::kProgramSaysNoText, "{0} is empty or no text; {1} stops"),
       named_refusal(Code::kProgramSaysNoNumber, "{0} is {1}, not a number; {2} stops"),
+      named_refusal(Code::kProgramSaysNoReal, "{0} is {1}; {2} wants a number with a point, and stops"),
       named_refusal(Code::kProgramSaysNumberCount, "{0} is no list of {1} numbers; {2} stops"),
       named_refusal(Code::kProgramSaysUnknownWord, "{0} is {1}; {2} knows {3:and} only, and stops"),
+      named_refusal(Code::kProgramSaysLeavesCameraOut, "{0} is {1}; {2} knows {3:and} only, and leaves the camera out"),
+      named_refusal(Code::kProgramSaysNoId, "{0} is {1}; {2} wants 32 hexadecimal digits, and stops"),
+      named_refusal(Code::kProgramSaysSameId, "{0} is {1}, which is another's, too; {2} stops"),
+      named_refusal(Code::kProgramSaysOutOfRange, "{0} is {1}; {2} takes {3} to {4}, and stops"),
       named_misreading(Code::kProgramSaysUnread, "{1} does not read {0}"),
       // Of the file. {0}: what parses it, {1}: its words.
       refusal(Code::kProgramSaysNotParsed, "{0} does not read it: {1}"),
@@ -35,6 +40,7 @@ std::span<const CodeInfo> proof_codes() {
       clause(Code::kRaysUpToNinety, "from pixel to ray it goes no further than 90 deg, of the ray and of the distorted angle"),
       // cv::undistortPoints' default.
       clause(Code::kRaysInFiveSteps, "from pixel to ray it calls cv::undistortPoints, which stops after five steps"),
+      clause(Code::kRaysInFiveOwnSteps, "from pixel to ray it stops after five steps"),
       clause(Code::kRaysWithoutAffine, "from pixel to ray it leaves out the affine part (ac, ad, ae)"),
 
       // Of the command's own parts: what for, and the loader's words.

@@ -10,9 +10,11 @@
 #include "pixels_mast3r.h"
 #include "pixels_metashape.h"
 #include "pixels_mrcal.h"
+#include "pixels_ncamera.h"
 #include "pixels_ncore.h"
 #include "pixels_nerfstudio.h"
 #include "pixels_ocamcalib.h"
+#include "pixels_okvis.h"
 #include "pixels_opencv.h"
 #include "pixels_openicc.h"
 #include "pixels_opensfm.h"
@@ -57,6 +59,8 @@ const FormatReader* find_reader(const std::string& id) {
       {"openicc", openicc::camera, openicc::relative_poses},
       {"zed", zed::camera, zed::relative_poses},
       {"realsense", realsense::camera, realsense::relative_poses},
+      {"okvis", okvis::camera, okvis::relative_poses},
+      {"ncamera", ncamera::camera, ncamera::relative_poses},
   };
   for (const FormatReader& reader : readers) {
     if (reader.id == id) return &reader;

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fca/formats/format.h>
+
+namespace fca::ncamera {
+
+extern const Format kFormat;
+
+}  // namespace fca::ncamera
