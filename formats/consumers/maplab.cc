@@ -134,6 +134,29 @@ class Ids {
   std::set<std::string> seen_;
 };
 
+/// T_a_c of T_a_b and T_b_c.
+Numbers product(const Numbers& a, const Numbers& b) {
+  Numbers result(16, 0.0);
+  for (std::size_t row = 0; row < 4; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) {
+      for (std::size_t k = 0; k < 4; ++k) result[4 * row + column] += a[4 * row + k] * b[4 * k + column];
+    }
+  }
+  return result;
+}
+
+Numbers inverse_of(const Numbers& T) {
+  Numbers inverse(16, 0.0);
+  inverse[15] = 1.0;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      inverse[4 * row + column] = T[4 * column + row];
+      inverse[4 * row + 3] -= T[4 * column + row] * T[4 * column + 3];
+    }
+  }
+  return inverse;
+}
+
 /// T_B_C, or the inverse of T_C_B.
 std::optional<Numbers> read_pose(const YAML::Node& entry, const std::string& path, ncamera::File& file) {
   if (!entry.IsMap() || entry["T_B_C"] || !entry["T_C_B"]) {
@@ -142,14 +165,43 @@ std::optional<Numbers> read_pose(const YAML::Node& entry, const std::string& pat
   }
   const auto T = file.matrix(entry["T_C_B"], path + "/T_C_B", 4, 4);
   if (!T) return std::nullopt;
-  Numbers inverse(16, 0.0);
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3; ++column) {
-      inverse[4 * row + column] = (*T)[4 * column + row];
-      inverse[4 * row + 3] -= (*T)[4 * column + row] * (*T)[4 * column + 3];
-    }
+  return inverse_of(*T);
+}
+
+/// How the list of extrinsics says that a sensor sits in its base.
+struct Extrinsic {
+  std::string base;
+  Numbers T_base_sensor;
+};
+
+std::optional<Extrinsic> extrinsic_of(const YAML::Node& root, const std::string& id, ncamera::File& file) {
+  const YAML::Node list = root["extrinsics"];
+  for (std::size_t i = 0; list && list.IsSequence() && i < list.size(); ++i) {
+    const YAML::Node entry = list[i];
+    if (!entry.IsMap() || !entry["sensor_id"] || entry["sensor_id"].Scalar() != id) continue;
+    const std::string path = "extrinsics/" + std::to_string(i);
+    const auto base = file.word(entry, "base_sensor_id", path + "/base_sensor_id");
+    const YAML::Node pose = file.require(entry, "T_B_S", path + "/T_B_S");
+    const auto matrix = pose.IsDefined() ? file.matrix(pose, path + "/T_B_S", 4, 4) : std::nullopt;
+    return base && matrix ? std::optional(Extrinsic{*base, *matrix}) : std::nullopt;
   }
-  return inverse;
+  return std::nullopt;
+}
+
+/// The poses that the NCAMERA states, in the IMU.
+void place_in_imu(const YAML::Node& root, const std::string& ncamera_id, const std::string& imu_id, ncamera::File& file) {
+  const std::optional<Extrinsic> body = extrinsic_of(root, ncamera_id, file);
+  if (!body) return;
+  Numbers T_imu_body = body->T_base_sensor;
+  if (body->base != imu_id) {
+    const std::optional<Extrinsic> imu = extrinsic_of(root, imu_id, file);
+    if (!imu || imu->base != body->base) return;
+    T_imu_body = product(inverse_of(imu->T_base_sensor), T_imu_body);
+  }
+  for (ConsumerPose& pose : file.view().poses) {
+    const Numbers placed = product(T_imu_body, Numbers(pose.T_a_b.begin(), pose.T_a_b.end()));
+    std::copy(placed.begin(), placed.end(), pose.T_a_b.begin());
+  }
 }
 
 void read_ncamera(const YAML::Node& node, const std::string& prefix, Ids& ids, ncamera::File& file) {
@@ -187,6 +239,8 @@ void read_file(const YAML::Node& root, ncamera::File& file) {
   Ids ids;
   if (!root["sensors"]) return read_ncamera(root, "", ids, file);
   const YAML::Node sensors = root["sensors"];
+  std::string ncamera_id;
+  std::string imu_id;
   for (std::size_t i = 0; sensors.IsSequence() && i < sensors.size(); ++i) {
     const std::string path = "sensors/" + std::to_string(i);
     const auto type = file.word(sensors[i], "sensor_type", path + "/sensor_type");
@@ -196,7 +250,11 @@ void read_file(const YAML::Node& root, ncamera::File& file) {
       ids.check(sensors[i], path, file);
       if (type == "IMU") read_imu(sensors[i], path, file);
     }
+    const bool named = type && sensors[i]["id"] && sensors[i]["id"].IsScalar();
+    if (named && type == "NCAMERA") ncamera_id = sensors[i]["id"].Scalar();
+    if (named && type == "IMU" && imu_id.empty()) imu_id = sensors[i]["id"].Scalar();
   }
+  if (!ncamera_id.empty() && !imu_id.empty()) place_in_imu(root, ncamera_id, imu_id, file);
 }
 
 }  // namespace

@@ -84,7 +84,9 @@ const schema::Schema& table_of(const text::Document& document) {
 std::optional<text::Document> edited(const text::Document& base, const Rig& old, const Rig& rig, Written& written) {
   const schema::Schema& table = table_of(base);
   std::optional<text::Document> document;
-  if (const std::optional<Sensors> sensors = find_sensors(base)) {
+  if (is_factory_file(base)) {
+    document = base;
+  } else if (const std::optional<Sensors> sensors = find_sensors(base)) {
     document = edited_sensors(base, *sensors, old, rig, written);
   } else {
     document = schema::edited(base, {table, old}, {table, rig}, written);
@@ -103,6 +105,11 @@ std::optional<text::Document> edited(const text::Document& base, const Rig& old,
                       return a.name == b.name && a.model == b.model && a.image_size == b.image_size;
                     });
   return same ? std::move(document) : std::nullopt;
+}
+
+/// A file that is only read stays as it is, or a fresh one takes its place.
+bool may_keep(const text::Document& base, const Rig& old, const Rig& rig) {
+  return !is_factory_file(base) || (old.cameras == rig.cameras && old.imus == rig.imus && old.poses == rig.poses);
 }
 
 /// Each lens of SVO's with its inverse polynomial; one that was read with another lens is not its.
@@ -126,7 +133,7 @@ std::vector<std::string> programs_of(const text::Document& document, const Rig& 
     return std::ranges::any_of(rig.cameras, [model](const Camera& camera) { return model_info(camera.model).id == model; });
   };
   if (find_sensors(document)) return {"maplab"};
-  if (is_single(document)) return {};
+  if (is_single(document) || is_factory_file(document)) return {};
   if (any("mei")) return {"maplab"};
   return {"svo"};
 }
@@ -147,7 +154,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
                              Diagnostics& diagnostics) {
   Diagnostics ignored;
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const bool may_edit = there && !options.anew && schema::same_cameras(*there, rig) && !is_factory_file(*base);
+  const bool may_edit = there && !options.anew && schema::same_cameras(*there, rig) && may_keep(*base, *there, rig);
   if (may_edit ? !can_store(kFormat, rig, &*there, diagnostics)
                : !writable_alone(kFormat, rig, Message{Code::kTableDemandsSize}, diagnostics))
     return std::nullopt;
