@@ -22,7 +22,6 @@
 namespace fca::test {
 namespace {
 
-/// Is that the program which files of the format are written for?
 /// Of two programs whose files have keys of their own, is it that of this file?
 bool is_of_layout(const std::string& program, const text::Document& document) {
   const auto has = [&document](std::string_view key) {
@@ -32,19 +31,18 @@ bool is_of_layout(const std::string& program, const text::Document& document) {
   return program == "maplab" || (program == "SVO" && !has("sensors"));
 }
 
+/// Is that the program which files of the format are written for?
 bool is_stock(const std::string& program, const Calibration& calibration) {
-  if (calibration.format->id == "dso") return program.starts_with("DSO");
-  constexpr std::array<std::string_view, 17> kBegin = {
-      "Kalibr",       "ORB-SLAM3 V1.0", "OCamCalib",  "WoodScape's projection.py",
-      "Basalt",       "VINS-Fusion",    "ROS",        "COLMAP",
-      "nerfstudio",   "mrcal",          "Kimera-VIO", "cuVSLAM",
-      "stella_vslam", "FAST-LIVO2",     "OKVIS2",     "SVO",
-      "maplab"};
-  if (program == "VINS-Fusion (configuration)") return false;
-  return std::ranges::any_of(kBegin, [&program](std::string_view begin) { return program.starts_with(begin); }) ||
-         (calibration.format->id == "openvins" && program.starts_with("OpenVINS"));
-  if (calibration.format->id == "okvis" || calibration.format->id == "ncamera")
-    return is_of_layout(program, calibration.documents.front());
+  const std::string_view format = calibration.format->id;
+  if (format == "dso") return program.starts_with("DSO");
+  if (format == "okvis" || format == "ncamera") return is_of_layout(program, calibration.documents.front());
+  if (format == "openvins" && program.starts_with("OpenVINS")) return true;
+  constexpr std::array<std::string_view, 5> kWithParts = {"Kalibr", "OCamCalib", "Kimera-VIO", "cuVSLAM", "mrcal"};
+  constexpr std::array<std::string_view, 9> kStock = {
+      "ORB-SLAM3 V1.0", "WoodScape's projection.py", "Basalt", "VINS-Fusion", "ROS", "COLMAP", "nerfstudio", "stella_vslam",
+      "FAST-LIVO2"};
+  return std::ranges::find(kStock, program) != kStock.end() ||
+         std::ranges::any_of(kWithParts, [&program](std::string_view begin) { return program.starts_with(begin); });
 }
 
 /// "3:11-15": where it begins and ends; "3:11" of one character, "-" of the whole file.
