@@ -138,17 +138,18 @@ void set_omni(ConsumerCamera& camera, const Numbers& k, ConsumerView& view) {
   camera.project = [omni](const Ray& ray) { return omni.project(ray); };
 }
 
+/// `path`: of the camera, empty or with its slash.
 std::optional<ConsumerCamera> read_camera(const YAML::Node& node, const std::string& path, ncamera::File& file) {
-  const YAML::Node bending = file.require(node, "distortion", path + "/distortion");
+  const YAML::Node bending = file.require(node, "distortion", path + "distortion");
   if (!bending.IsDefined()) return std::nullopt;
-  const auto distortion = file.word(bending, "type", path + "/distortion/type");
-  const YAML::Node parameters = file.require(bending, "parameters", path + "/distortion/parameters");
-  const auto d = parameters.IsDefined() ? file.matrix(parameters, path + "/distortion/parameters", 0, 1) : std::nullopt;
-  const auto type = file.word(node, "type", path + "/type");
-  const auto width = file.number(node, "image_width", path + "/image_width");
-  const auto height = file.number(node, "image_height", path + "/image_height");
-  const YAML::Node intrinsics = file.require(node, "intrinsics", path + "/intrinsics");
-  const auto k = intrinsics.IsDefined() ? file.matrix(intrinsics, path + "/intrinsics", 0, 1) : std::nullopt;
+  const auto distortion = file.word(bending, "type", path + "distortion/type");
+  const YAML::Node parameters = file.require(bending, "parameters", path + "distortion/parameters");
+  const auto d = parameters.IsDefined() ? file.matrix(parameters, path + "distortion/parameters", 0, 1) : std::nullopt;
+  const auto type = file.word(node, "type", path + "type");
+  const auto width = file.number(node, "image_width", path + "image_width");
+  const auto height = file.number(node, "image_height", path + "image_height");
+  const YAML::Node intrinsics = file.require(node, "intrinsics", path + "intrinsics");
+  const auto k = intrinsics.IsDefined() ? file.matrix(intrinsics, path + "intrinsics", 0, 1) : std::nullopt;
   if (!distortion || !d || !type || !width || !height || !k) return std::nullopt;
   ConsumerCamera camera;
   camera.width = static_cast<int>(*width);
@@ -160,23 +161,23 @@ std::optional<ConsumerCamera> read_camera(const YAML::Node& node, const std::str
   };
   if (*type == "omni") {
     constexpr std::size_t kCount = 24;
-    if (!has(*k, kCount, "/intrinsics")) return std::nullopt;
+    if (!has(*k, kCount, "intrinsics")) return std::nullopt;
     set_omni(camera, *k, file.view());
     return camera;
   }
   if (*type != "pinhole") {
-    file.complain(Code::kProgramSaysUnknownWord, path + "/type",
+    file.complain(Code::kProgramSaysUnknownWord, path + "type",
                   {*type, file.program(), std::vector<std::string>{"pinhole", "omni"}});
     return std::nullopt;
   }
   const std::size_t count = *distortion == "none" ? 0 : *distortion == "fisheye" ? 1 : 4;
   if (count == 4 && *distortion != "radial-tangential" && *distortion != "equidistant") {
     file.complain(
-        Code::kProgramSaysUnknownWord, path + "/distortion/type",
+        Code::kProgramSaysUnknownWord, path + "distortion/type",
         {*distortion, file.program(), std::vector<std::string>{"none", "radial-tangential", "equidistant", "fisheye"}});
     return std::nullopt;
   }
-  if (!has(*k, 4, "/intrinsics") || (count > 0 && !has(*d, count, "/distortion/parameters"))) return std::nullopt;
+  if (!has(*k, 4, "intrinsics") || (count > 0 && !has(*d, count, "distortion/parameters"))) return std::nullopt;
   set_pinhole(camera, *distortion, *k, *d);
   return camera;
 }
@@ -196,7 +197,16 @@ std::optional<double> read_imu(const YAML::Node& root, ncamera::File& file) {
   return delay;
 }
 
+/// vikit's reader of one camera alone.
+void read_alone(const YAML::Node& root, ncamera::File& file) {
+  std::optional<ConsumerCamera> camera = read_camera(root, "", file);
+  if (!camera) return;
+  camera->name = "cam0";
+  file.view().cameras.push_back(*std::move(camera));
+}
+
 void read_file(const YAML::Node& root, ncamera::File& file) {
+  if (!root["cameras"] && root["intrinsics"]) return read_alone(root, file);
   file.word(root, "label", "label");
   const std::optional<double> delay = read_imu(root, file);
   const YAML::Node cameras = file.require(root, "cameras", "cameras");
@@ -205,7 +215,7 @@ void read_file(const YAML::Node& root, ncamera::File& file) {
     const YAML::Node entry = cameras[i];
     const YAML::Node node = file.require(entry, "camera", path + "/camera");
     const YAML::Node pose = file.require(entry, "T_B_C", path + "/T_B_C");
-    std::optional<ConsumerCamera> camera = node.IsDefined() ? read_camera(node, path + "/camera", file) : std::nullopt;
+    std::optional<ConsumerCamera> camera = node.IsDefined() ? read_camera(node, path + "/camera/", file) : std::nullopt;
     const auto matrix = pose.IsDefined() ? file.matrix(pose, path + "/T_B_C", 4, 4) : std::nullopt;
     if (!camera || !matrix) continue;
     camera->name = "cam" + std::to_string(i);

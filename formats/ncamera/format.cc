@@ -133,7 +133,7 @@ std::vector<std::string> programs_of(const text::Document& document, const Rig& 
     return std::ranges::any_of(rig.cameras, [model](const Camera& camera) { return model_info(camera.model).id == model; });
   };
   if (find_sensors(document)) return {"maplab"};
-  if (is_single(document) || is_factory_file(document)) return {};
+  if (is_factory_file(document)) return {};
   if (any("mei")) return {"maplab"};
   return {"svo"};
 }

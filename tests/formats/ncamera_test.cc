@@ -246,6 +246,38 @@ TEST(Ncamera, TheCamerasOfAListHaveABodyOfTheirOwn) {
             (std::pair<std::string, std::string>("1", "2")));
 }
 
+// vikit's older files: plain keys under the camera's name, and a pose as a quaternion. They are read, not edited.
+TEST(Ncamera, OlderFilesAreRead) {
+  const std::string bytes =
+      "front:\n  cam_model: PinholeAtan\n  cam_width: 752\n  cam_height: 480\n  cam_fx: 383.0\n  cam_fy: 382.375\n"
+      "  cam_cx: 344.75\n  cam_cy: 244.375\n  cam_d0: 0.9325\n  T_cam_body:\n    tx: 0.5\n    ty: 0.25\n    tz: -0.125\n"
+      "    qx: 0.0\n    qy: 0.0\n    qz: 1.0\n    qw: 0.0\n";
+  const Calibration calibration = calibration_of(bytes);
+  EXPECT_EQ(calibration.format->id, "ncamera");
+  ASSERT_EQ(calibration.rig.cameras.size(), 1U);
+  EXPECT_EQ(calibration.rig.cameras[0].name, "front");
+  EXPECT_EQ(calibration.rig.cameras[0].model, model_of("fov", {383.0, 382.375, 344.75, 244.375, 0.9325}));
+  const std::optional<Transform> pose = calibration.rig.resolve("imu0", "front");
+  ASSERT_TRUE(pose);
+  EXPECT_NEAR((*pose)(0, 3), 0.5, 1e-15) << "half a turn about z";
+  EXPECT_NEAR((*pose)(2, 3), 0.125, 1e-15);
+  const text::Document base = document_of(bytes);
+  EXPECT_EQ(written_by(ncamera(), &base, calibration.rig).files.front().document.bytes(), bytes);
+  Rig moved = calibration.rig;
+  set_parameter(moved.cameras[0].model, "fx", 384.0);
+  const Written written = written_by(ncamera(), &base, moved);
+  EXPECT_TRUE(written.files.front().document.bytes().starts_with("label: "));
+  expect_proven(written, moved);
+}
+
+// Two cameras are not called the same.
+TEST(Ncamera, ALabelThatIsTakenNamesNoCamera) {
+  const Rig rig = calibration_of(with_replaced(good("pair.yaml"), "label: right", "label: left")).rig;
+  EXPECT_EQ(rig.cameras[0].name, "left");
+  EXPECT_EQ(rig.cameras[1].name, "cam1");
+  EXPECT_NE(rig.find_extra_field("cam1", "label"), nullptr);
+}
+
 TEST(Ncamera, OtherSensorsAreKept) {
   const Rig rig = calibration_of(good("sensors.yaml")).rig;
   EXPECT_NE(rig.find_extra_field("", "LIDAR 5a1d0f3c9b7e42688d1c0a5be3f79c06"), nullptr);
