@@ -293,7 +293,9 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
 
 ProbeResult probe(const text::Document& document) {
   const Node* keys = keys_of(document.root());
-  if (keys == nullptr) return {};
+  // SVO's cameras have the same keys, and longer names for their lenses.
+  const Node* model = keys != nullptr ? find(*keys, kModelKey) : nullptr;
+  if (model == nullptr || (model->value.starts_with("Pinhole") && model->value != "Pinhole")) return {};
   for (const std::string_view key : {"cam_width", "cam_fx", "cam_calib_file"}) {
     if (find(*keys, key) != nullptr)
       return {evidence::kCamera,

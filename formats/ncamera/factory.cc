@@ -111,8 +111,11 @@ class FactoryReader {
   Rig& rig_;
 };
 
+/// FAST-LIVO's cameras have the same keys, and other names for their lenses.
 bool is_camera(const Node& node) {
-  return node.is_mapping() && text::find(node, kModel, kDialect) != nullptr && text::find(node, "cam_fx", kDialect) != nullptr;
+  const Node* model = text::find(node, kModel, kDialect);
+  return model != nullptr && text::find(node, "cam_fx", kDialect) != nullptr &&
+         (model->value.starts_with("Pinhole") && model->value != "Pinhole");
 }
 
 }  // namespace

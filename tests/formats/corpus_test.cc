@@ -20,6 +20,9 @@ struct Refused {
   const char* why;
 };
 
+constexpr Refused kRefused[] = {
+    {"kalibr/lukasvst__dm-vio__configs__oakd_calib__camchain.yaml", "missing-key",
+     "it holds poses only; Kalibr, too, misses camera_model"},
     {"kalibr/mrastgoo__camera_imu_calibration_kalibr_viper__camchain__70a02b7.yaml", "unknown-model",
      "camera_model: onmi/radial"},
     {"kalibr/mrastgoo__camera_imu_calibration_kalibr_viper__camchain_yaml__camchain_Kannala.yaml", "unknown-model",
