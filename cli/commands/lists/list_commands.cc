@@ -67,18 +67,21 @@ std::string format_details(const Format& format) {
     const std::string readers = "read by " + std::string(row.read_by) + (row.stock ? "" : "; only with --model");
     text += head + in_columns(readers, head.size(), head.size()) + "\n";
   }
-  for (const FormatName& name : further_names(format)) {
-    text += "  " + padded(name.id, model_width) + std::string(name.title) + ", a layout of " + std::string(format.id) + "\n";
-  }
   return text;
 }
 
-std::string format_line(const Format& format) {
+/// A format, and further names of its files.
+std::string format_lines(const Format& format) {
   constexpr std::size_t kId = 12;
-  const std::string head = "  " + padded(format.id, kId);
-  const std::string what =
-      std::string(format.title) + " (" + std::string(format.syntaxes) + ")" + (format.is_written() ? "" : ", read only");
-  return head + in_columns(what, head.size(), head.size()) + "\n";
+  const auto line = [](std::string_view id, const std::string& what) {
+    const std::string head = "  " + padded(id, kId);
+    return head + in_columns(what, head.size(), head.size()) + "\n";
+  };
+  std::string text = line(format.id, std::string(format.title) + " (" + std::string(format.syntaxes) + ")" +
+                                         (format.is_written() ? "" : ", read only"));
+  for (const FormatName& name : further_names(format))
+    text += line(name.id, std::string(name.title) + ", a layout of " + std::string(format.id));
+  return text;
 }
 
 struct GroupTitle {
@@ -95,7 +98,7 @@ std::string formats_text(bool with_models) {
   for (const GroupTitle& group : kGroups) {
     text += (text.empty() ? "" : "\n") + std::string(group.title) + "\n";
     for (const Format& format : all_formats()) {
-      if (format.group == group.group) text += format_line(format) + (with_models ? format_details(format) : "");
+      if (format.group == group.group) text += format_lines(format) + (with_models ? format_details(format) : "");
     }
   }
   return text;
