@@ -57,6 +57,8 @@ constexpr Judged kJudged[] = {
     {"D455__ImuParams.yaml", "program-refuses", "no imu_bias_init_sigma"},
     {"kalibr__templates__camera.yaml", "yaml-key", "a template with {{ }}"},
     {"hl-qiu__processData", "focal-length-not-in-pixels", "fl_x of 166504 px for 1024 columns"},
+    {"__splined-", "unknown-model", "a lens of mrcal's own"},
+    {".splined.cameramodel", "unknown-model", "the same"},
     {"SynWoodScape", "carla-translation", "no \"translation\": KeyError in projection.py"},
 };
 

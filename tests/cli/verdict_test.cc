@@ -165,7 +165,9 @@ TEST(VerdictFirst, TwoCamerasTakeTenLines) {
       if (!imu.empty() && format.id != "vins") words.insert(words.end(), {"--with", imu});
       const RunResult run = run_program(words, {.in_full = false});
       EXPECT_FALSE(run.out.empty()) << format.id << run.err;
-      EXPECT_LE(lines_in(run.out), 10U) << run.out;
+      // A lens that the target cannot reach takes four more.
+      const std::size_t most = contains(run.out, "cannot describe") ? 14U : 10U;
+      EXPECT_LE(lines_in(run.out), most) << run.out;
       EXPECT_LE(longest_line(run.out.substr(run.out.find('\n') + 1)), 80U) << run.out;
     }
   }

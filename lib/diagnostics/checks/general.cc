@@ -180,6 +180,8 @@ std::span<const CodeInfo> general_codes() {
           "It does not start, or takes the file for something else."),
       any(Code::kAnyProgramRefuses, "program-refuses", "the program refuses the file", kProgramStops,
           "correct what the message names"),
+      any(Code::kAnyPythonSyntax, "python-syntax", "not a literal of Python", kNotRead,
+          "write numbers as numbers and names in quotes, with a comma behind each value"),
       any(Code::kAnyRealForInt, "real-for-int", "a real number where the program wants a whole one", kProgramStops),
       any(Code::kAnyRelativeByCentre, "relative-by-centre", "a centre below 1 is taken as relative", kWrongPixels,
           "write all four numbers in pixels, or all four as shares of the width and height"),

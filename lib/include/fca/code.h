@@ -1606,6 +1606,7 @@ enum class Code : std::uint16_t {
   kAnyProgramMisreads,
   kAnyProgramOtherFormat,
   kAnyProgramRefuses,
+  kAnyPythonSyntax,
   kAnyRealForInt,
   kAnyRelativeByCentre,
   kAnyRosParameters,

@@ -305,6 +305,8 @@ std::vector<Source> corpus_sources(const std::string& format) {
       {"euroc", "andreruas__scratch_slam__mav0__cam1__sensor.yaml"},
       {"kimera", "MIT-SPARK__Kimera-VIO__params__RealSenseIR__LeftCameraParams.yaml"},
       {"kimera", "MIT-SPARK__Kimera-VIO__params__uHumans1__LeftCameraParams.yaml"},
+      {"mrcal", "dkogan__mrcal__doc__data__figueroa-overpass-looking-S__opencv8-0.cameramodel"},
+      {"mrcal", "dkogan__mrcal__test__data__cam0.opencv8.cameramodel"},
       {"nerfstudio", "sangminkim-99__COLMAP_multicam__transforms.json"},
       {"nerfstudio", "AspasZhang__NeRF__transforms_test.json"},
       {"dso", "lukasvst__dm-vio__configs__euroc__camera.txt"},

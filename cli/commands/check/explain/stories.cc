@@ -274,6 +274,9 @@ loop is named as such.)"},
         "program-refuses",
         R"(The file was given to the program's reader, rebuilt from its source: the message says what it stumbles over. Where another
 spelling of the same value would do, --fix makes it.)"},
+    Story{"python-syntax",
+          "mrcal's files are dicts of Python, which ast.literal_eval reads: texts in quotes, numbers, lists, comments, and no "
+          "nan, inf, names or sums."},
     Story{"real-for-int", "Kalibr's resolution, ORB-SLAM3's Camera.fps and sizes are ints: 30.0 is refused."},
     Story{
         "relative-by-centre",
