@@ -287,7 +287,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   add_extras_lost(rig, edits ? old->extra_fields : std::vector<ExtraField>(), edits ? std::nullopt : there,
                   Message{Code::kFilesHaveNoPlace, {kProgram}}, written.losses);
   list_camera_losses(rig, kProgram, written.losses);
-  written.headline = {Code::kTableWrote, {kFormat.title, kProgram}};
+  written.headline = {Code::kTableWrote, {kFormat.main_file, kProgram}};
   return written;
 }
 
