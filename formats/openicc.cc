@@ -39,6 +39,8 @@ namespace {
 
 constexpr std::string_view kCamera = "cam0";
 constexpr std::string_view kType = "intrinsic_type";
+constexpr std::string_view kWidth = "image_width";
+constexpr std::string_view kHeight = "image_height";
 constexpr std::string_view kTimeOffset = "time_offset_imu_to_cam_s";
 
 /// A key and the parameter that it states.
@@ -94,6 +96,15 @@ bool read_type(Reading& reading, const Key& key, const Node& node) {
   reading.lens = type->name;
   reading.camera->model = make_model(type->model).value();
   return true;
+}
+
+/// One side of the image, of which the other has to be there. Both are read with the height.
+bool read_side(Reading& reading, const Key& key, const Node& node) {
+  const Node* other = reading.reader.require(*reading.mapping, key.with.other, reading.schema.what);
+  if (other == nullptr) return false;
+  if (key.name != kHeight) return true;
+  reading.camera->image_size = reading.reader.image_size(*other, node, "image ");
+  return reading.camera->image_size.has_value();
 }
 
 /// The first of the keys that is there.
@@ -249,8 +260,8 @@ constexpr Key kOffset = {kTimeOffset, FactKind::kTimeOffset, read_offset};
 constexpr std::array kLensKeys = {
     required(Key{kType, FactKind::kModel, read_type}),
     required(kIntrinsics),
-    schema::image_width("image_width", false),
-    schema::image_height("image_height", "image_width", false),
+    Key{kWidth, FactKind::kImageSize, read_side, schema::write_image_width, {.other = kHeight}},
+    Key{kHeight, FactKind::kImageSize, read_side, schema::write_image_height, {.other = kWidth}},
     schema::frame_rate("fps"),
     kRotation,
     schema::unread("t_i_c"),

@@ -343,7 +343,8 @@ void read_cameras(Configuration& file, ConsumerView& view) {
     std::optional<ConsumerCamera> camera = camera_of(file, entries[i], list[static_cast<int>(i)], path, view);
     if (!camera) continue;
     camera->name = "cam" + std::to_string(i);
-    if (delay) camera->time_offset_s = *delay == 0.0 ? 0.0 : -*delay;
+    // One for all: others are told where the file is written.
+    if (delay && i == 0) camera->time_offset_s = *delay == 0.0 ? 0.0 : -*delay;
     ConsumerPose pose = {"imu0", camera->name, {}};
     std::copy_n(entries[i].pose.begin(), pose.T_a_b.size(), pose.T_a_b.begin());
     view.poses.push_back(std::move(pose));

@@ -219,7 +219,8 @@ void read_file(const YAML::Node& root, ncamera::File& file) {
     const auto matrix = pose.IsDefined() ? file.matrix(pose, path + "/T_B_C", 4, 4) : std::nullopt;
     if (!camera || !matrix) continue;
     camera->name = "cam" + std::to_string(i);
-    if (delay) camera->time_offset_s = *delay == 0.0 ? 0.0 : -*delay;
+    // One for all: others are told where the file is written.
+    if (delay && i == 0) camera->time_offset_s = *delay == 0.0 ? 0.0 : -*delay;
     file.view().poses.push_back(ncamera::pose_in_imu(camera->name, *matrix));
     file.view().cameras.push_back(*std::move(camera));
   }

@@ -75,6 +75,11 @@ class PrintReader {
       : reader_(document, text::Dialect::kPyYaml, diagnostics), options_(options), blocks_(blocks_of(document)) {}
 
   bool read_into(Rig& rig) {
+    for (const Block& block : blocks_) {
+      if (block.twice == nullptr) continue;
+      reader_.say(Severity::kError, *block.twice, Code::kKeyTwice, {"of the block of " + block.name});
+      return false;
+    }
     const std::vector<devices::Sizes> streams = streams_of_blocks();
     if (std::ranges::any_of(streams, [](const devices::Sizes& stream) { return stream.sizes.empty(); })) return false;
     if (streams.empty()) {
@@ -121,7 +126,7 @@ class PrintReader {
     const std::vector<Node>* values = block.find(key);
     if (values == nullptr) {
       reader_.say(*block.place, Code::kKeyMissing, {"the block of " + block.name, key});
-    } else if (values->size() < count) {
+    } else if (values->size() < count || (count > 1 && values->size() > count)) {
       reader_.say(*block.place, Code::kNumbersWanted, {block.name + " " + key, values->size(), count});
       return nullptr;
     }
@@ -238,12 +243,12 @@ class PrintReader {
   bool read_poses(Rig& rig) {
     std::vector<std::pair<const Block*, PoseEdge>> doubtful;
     for (const Block& block : blocks_) {
-      if (block.kind != Block::Kind::kPose || block.name == block.to) continue;
-      const std::string from = frame_of(rig, block.name);
-      const std::string to = frame_of(rig, block.to);
-      if (from.empty() || to.empty()) continue;
+      if (block.kind != Block::Kind::kPose) continue;
       const std::optional<Transform> T = read_transform(block);
       if (!T) return false;
+      const std::string from = frame_of(rig, block.name);
+      const std::string to = frame_of(rig, block.to);
+      if (from.empty() || to.empty() || from == to) continue;
       const PoseEdge edge{to, from, *T};
       if (to == kInfrared2 && from != kInfrared1) {
         doubtful.emplace_back(&block, edge);

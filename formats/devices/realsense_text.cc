@@ -15,6 +15,10 @@ namespace {
 
 constexpr std::string_view kSpaces = " \t\r";
 
+/// What readers ask for. Other names may stand in a list of several devices more than once.
+constexpr std::array<std::string_view, 10> kRead = {
+    "Width", "Height", "PPX", "PPY", "Fx", "Fy", "Distortion", "Coeffs", "Rotation Matrix", "Translation Vector"};
+
 /// Part of a line as a node.
 Node node_of(const IniLine& line, std::size_t begin, std::size_t end) {
   Node node;
@@ -88,7 +92,9 @@ class Printed {
     key.erase(key.find_last_not_of(kSpaces) + 1);
     std::vector<Node> words = words_behind_colon(line);
     rows_ = words.empty() ? key : "";
-    if (!words.empty()) values.emplace(key, std::move(words));
+    const bool is_read = std::ranges::find(kRead, key) != kRead.end();
+    if (is_read && values.contains(key) && blocks_.back().twice == nullptr) blocks_.back().twice = line.node;
+    values.emplace(key, std::move(words));
   }
 
   std::vector<Block> blocks_ = {};

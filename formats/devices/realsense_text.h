@@ -33,6 +33,8 @@ struct Block {
   std::string to = {};
   std::map<std::string, std::vector<text::Node>> values = {};  ///< A rotation's row by row.
 
+  const text::Node* twice = nullptr;  ///< The line of a name that stands there already; null: there is none.
+
   [[nodiscard]] const std::vector<text::Node>* find(const std::string& key) const {
     const auto found = values.find(key);
     return found == values.end() || found->second.empty() ? nullptr : &found->second;

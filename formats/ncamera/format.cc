@@ -113,7 +113,7 @@ bool may_keep(const text::Document& base, const Rig& old, const Rig& rig) {
 }
 
 /// Each lens of SVO's with its inverse polynomial; one that was read with another lens is not its.
-Rig with_inverses(const Rig& rig, const std::optional<Rig>& old, Written& written) {
+Rig with_inverses(const Rig& rig, const std::optional<Rig>& old, Written& written, Diagnostics& diagnostics) {
   Rig result = rig;
   for (const Camera& camera : rig.cameras) {
     const Camera* before = old ? old->find_camera(camera.name) : nullptr;
@@ -121,7 +121,7 @@ Rig with_inverses(const Rig& rig, const std::optional<Rig>& old, Written& writte
       return extra.owner == camera.name && extra.key == ocamcalib::kInverse;
     };
     if (before != nullptr && before->model != camera.model) std::erase_if(result.extra_fields, is_inverse);
-    std::optional<ExtraField> inverse = inverse_of(result, camera, written);
+    std::optional<ExtraField> inverse = inverse_of(result, camera, written, diagnostics);
     std::erase_if(result.extra_fields, is_inverse);
     if (inverse) result.extra_fields.push_back(*std::move(inverse));
   }
@@ -160,15 +160,19 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     return std::nullopt;
 
   Written written;
+  Diagnostics found;
   std::optional<text::Document> document;
-  if (may_edit) document = edited(*base, *there, with_inverses(rig, there, written), written);
+  if (may_edit) document = edited(*base, *there, with_inverses(rig, there, written, found), written);
   const bool edits = document.has_value();
   if (!edits) {
     if (may_edit && !writable_alone(kFormat, rig, Message{Code::kTableDemandsSize}, diagnostics)) return std::nullopt;
     written = {};
-    document = text::parse_document({"ncamera.yaml", composed(with_inverses(rig, there, written), written)}, diagnostics);
+    found = {};
+    document =
+        text::parse_document({"ncamera.yaml", composed(with_inverses(rig, there, written, found), written)}, diagnostics);
   }
   if (!document) return std::nullopt;
+  for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
   const schema::Schema& table = edits ? table_of(*base) : kRig;
   std::vector<std::string> programs = programs_of(*document, rig);
   written.files.push_back({*std::move(document), {}, std::move(programs)});

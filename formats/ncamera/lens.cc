@@ -236,7 +236,7 @@ std::vector<Statement> write_type(const Subject& subject, const Key& key) {
   return schema::states(fields::scalar(key.text(), std::string(lens->type)), {FactKind::kModel});
 }
 
-std::optional<ExtraField> inverse_of(const Rig& rig, const Camera& camera, Written& written) {
+std::optional<ExtraField> inverse_of(const Rig& rig, const Camera& camera, Written& written, Diagnostics& diagnostics) {
   if (model_info(camera.model).id != kOcamcalib) return std::nullopt;
   const ExtraField* kept = rig.find_extra_field(camera.name, ocamcalib::kInverse);
   if (kept != nullptr && numbers_in(kept->value).size() <= kInverseCount) return *kept;
@@ -245,6 +245,7 @@ std::optional<ExtraField> inverse_of(const Rig& rig, const Camera& camera, Writt
   written.defaults.push_back({camera.name + " " + std::string(ocamcalib::kInverse),
                               Message{Code::kCalibResultsInverseFitted, {fitted.coefficients.size(), fitted.error_px}},
                               fitted.error_px > kGoal});
+  if (fitted.error_px > kGoal) diagnostics.add(Code::kVinsInverseInexact, {camera.name, fitted.error_px, kInverseCount, "SVO"});
   std::string listed;
   for (const double value : fitted.coefficients) listed += (listed.empty() ? "" : " ") + text::format_real(value);
   return ExtraField{camera.name, std::string(ocamcalib::kInverse), listed};

@@ -15,7 +15,8 @@ extern const schema::Mapping kIntrinsics;
 
 /// The polynomial of SVO's omni lenses by which it projects: that of the rig for the camera as far as it has places for it,
 /// else one that is fitted. Nothing of other lenses.
-[[nodiscard]] std::optional<ExtraField> inverse_of(const Rig& rig, const Camera& camera, Written& written);
+[[nodiscard]] std::optional<ExtraField> inverse_of(const Rig& rig, const Camera& camera, Written& written,
+                                                   Diagnostics& diagnostics);
 
 /// Two radii, in halves of the image's height, outside of which SVO's omni lenses show nothing; zeros: they show all.
 inline constexpr std::string_view kMask = "mask_relative_radii";

@@ -29,7 +29,7 @@ std::vector<double> fitted_inverse(const Camera& camera, Written& written, Diagn
   written.defaults.push_back({camera.name + " inverse polynomial",
                               Message{Code::kCalibResultsInverseFitted, {inverse.coefficients.size(), inverse.error_px}},
                               !good});
-  if (!good) diagnostics.add(Code::kVinsInverseInexact, {camera.name, inverse.error_px});
+  if (!good) diagnostics.add(Code::kVinsInverseInexact, {camera.name, inverse.error_px, kInverseCount, "camodocal"});
   return inverse.coefficients;
 }
 

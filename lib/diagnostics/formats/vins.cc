@@ -56,8 +56,8 @@ std::span<const CodeInfo> vins_codes() {
               "fit it to poly_parameters again"),
       reader_warning(
           Code::kVinsInverseInexact, "inverse-inexact",
-          "{0}: no inverse polynomial of the 20 coefficients that camodocal holds comes nearer to the direct one than "
-          "{1:.2} px; it projects off by as much",
+          "{0}: no inverse polynomial of the {2} coefficients that {3} holds comes nearer to the direct one than {1:.2} px; it "
+          "projects off by as much",
           "leave out the border, where the direct polynomial turns; or take another model"),
 
       // VINS-Fusion's configuration, as read.

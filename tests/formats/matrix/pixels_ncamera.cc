@@ -27,15 +27,21 @@ std::vector<double> matrix(const YAML::Node& node) {
   return numbers;
 }
 
-/// The entry of the list of cameras; a camera without a list has none.
+/// The entry of the list of cameras; a camera without a list is the only one.
 YAML::Node entry_of(const std::string& bytes, std::size_t index) {
   const YAML::Node root = YAML::Load(bytes);
   if (!root.IsMap()) return {};
-  YAML::Node cameras = root["cameras"];
-  for (const YAML::Node& sensor : root["sensors"]) {
-    if (sensor["sensor_type"].as<std::string>() == "NCAMERA") cameras = sensor["cameras"];
+  if (root["intrinsics"]) {
+    YAML::Node entry;
+    if (index == 0) entry["camera"] = root;
+    return entry;
   }
-  if (!cameras || !cameras.IsSequence() || index >= cameras.size()) return {};
+  YAML::Node cameras;
+  if (root["cameras"]) cameras.reset(root["cameras"]);
+  for (const YAML::Node& sensor : root["sensors"]) {
+    if (sensor["sensor_type"].as<std::string>() == "NCAMERA") cameras.reset(sensor["cameras"]);
+  }
+  if (!cameras.IsSequence() || index >= cameras.size()) return {};
   return cameras[index];
 }
 
@@ -121,9 +127,9 @@ void set_omni(PixelFormula& formula, const std::vector<double>& k, const Size& s
 
 std::optional<PixelFormula> camera(const std::string& bytes, std::size_t index) {
   try {
-    YAML::Node node = entry_of(bytes, index);
-    if (!node || !node.IsMap()) return std::nullopt;
-    node = node["camera"];
+    const YAML::Node entry = entry_of(bytes, index);
+    if (!entry || !entry.IsMap()) return std::nullopt;
+    const YAML::Node node = entry["camera"];
     const std::vector<double> k = matrix(node["intrinsics"]);
     const YAML::Node distortion = node["distortion"];
     const std::vector<double> d = distortion ? matrix(distortion["parameters"]) : std::vector<double>();
