@@ -218,7 +218,7 @@ class Model {
   }
 
   void add_pose(const std::vector<double>& rt) {
-    ConsumerPose pose = {"cam0", "reference", {}};
+    ConsumerPose pose = {"cam0", "ref", {}};
     const opencv::Matrix3 R = opencv::rotation_of({rt[0], rt[1], rt[2]});
     for (std::size_t row = 0; row < 3; ++row) {
       for (std::size_t column = 0; column < 3; ++column) pose.T_a_b.at(4 * row + column) = R.at(3 * row + column);

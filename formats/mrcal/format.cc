@@ -132,7 +132,6 @@ constexpr std::array kModels = {
 };
 constexpr std::array kOwnFacts = {OwnFact{"valid_intrinsics_region, optimization_inputs"}};
 constexpr std::array kOfTheImages = {kRegion};
-constexpr std::array kDemands = {Demand{"pose in a common frame", "extrinsics"}};
 
 }  // namespace
 
@@ -150,7 +149,6 @@ const Format kFormat = {
     .image_size = true,
     .frame = kReference,
     .own_facts = kOwnFacts,
-    .demands = kDemands,
     .of_the_images = kOfTheImages,
     .models = kModels,
     .table = &kSchema,

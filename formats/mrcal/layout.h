@@ -26,7 +26,7 @@ namespace fca::mrcal {
 /// Of equal keys of a dict the last counts.
 inline constexpr text::Dialect kDialect = text::Dialect::kPyYaml;
 
-inline constexpr std::string_view kReference = "reference";  ///< The frame, in a rig.
+inline constexpr std::string_view kReference = "ref";  ///< The frame, in a rig, as mrcal calls it.
 inline constexpr std::string_view kIntrinsics = "intrinsics";
 inline constexpr std::string_view kImageSize = "imagersize";
 inline constexpr std::string_view kRegion = "valid_intrinsics_region";

@@ -100,7 +100,7 @@ void expect_ours(const Case& each, const std::string& said) {
   ImageSize size;
   words >> size.width >> size.height;
   EXPECT_EQ(camera.image_size, size);
-  const std::optional<Transform> T = each.rig.resolve(camera.name, "reference");
+  const std::optional<Transform> T = each.rig.resolve(camera.name, "ref");
   for (int i = 0; i < 12; ++i) {  // rows of R, then t
     double number = 0.0;
     words >> number;
@@ -129,8 +129,8 @@ void add_fresh(const std::string& name, const Rig& rig, std::vector<Case>& cases
     Rig of_file = rig;
     std::erase_if(of_file.cameras, [&file](const Camera& camera) { return camera.name != file.cameras.front(); });
     // The first camera is the reference.
-    if (rig.resolve("reference", rig.cameras.front().name) == std::nullopt)
-      of_file.poses.push_back({rig.cameras.front().name, "reference", Transform{}});
+    if (rig.resolve("ref", rig.cameras.front().name) == std::nullopt)
+      of_file.poses.push_back({rig.cameras.front().name, "ref", Transform{}});
     cases.push_back({name + " " + file.document.source().name, file.document.bytes(), of_file});
   }
 }

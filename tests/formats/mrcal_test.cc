@@ -128,14 +128,14 @@ TEST(Mrcal, CamerasAreNamedByTheirFiles) {
 // A quarter turn about y: the reference's x axis, to the right, is the camera's -z, behind it.
 TEST(Mrcal, PosesTakePointsOfTheReferenceToTheCamera) {
   const Rig rig = calibration_of(good("old-keys.cameramodel"), "a.cameramodel").rig;
-  const Transform* T = rig.stated("cam0", "reference");
+  const Transform* T = rig.stated("cam0", "ref");
   ASSERT_NE(T, nullptr);
   const std::array<double, 3> x = rotated(*T, {1.0, 0.0, 0.0});
   EXPECT_NEAR(x[0], 0.0, 1e-15);
   EXPECT_NEAR(x[2], -1.0, 1e-15);
   EXPECT_EQ(translation_of(*T), (std::array{-0.5, 0.0, 0.5}));
   // The camera sits where it sees the origin of its own frame: -R^T t.
-  const std::optional<Transform> place = rig.resolve("reference", "cam0");
+  const std::optional<Transform> place = rig.resolve("ref", "cam0");
   ASSERT_TRUE(place);
   EXPECT_NEAR((*place)(0, 3), 0.5, 1e-15);
   EXPECT_NEAR((*place)(2, 3), 0.5, 1e-15);
