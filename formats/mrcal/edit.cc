@@ -62,6 +62,14 @@ std::array<double, 6> moved(const std::array<double, 6>& there, const Transform&
   return rt;
 }
 
+/// Is any camera's place to another, or in the frame, known? Else each file is of a camera alone, at its own origin, and joined
+/// they state no pose.
+bool has_poses(const Rig& rig, const std::string& frame) {
+  return std::ranges::any_of(rig.cameras, [&rig, &frame](const Camera& camera) {
+    return camera.name != frame && pose_in(frame, rig, camera).has_value();
+  });
+}
+
 void list_stale(const Rig& old, std::vector<Loss>& losses) {
   for (const std::string_view key : {kInputs, kRegion}) {
     const std::string& owner = old.cameras.front().name;
@@ -106,7 +114,7 @@ std::string composed(const Rig& rig, const Camera& camera, Written& written) {
   const std::optional<Transform> T = pose_in(frame, rig, camera);
   if (T) {
     list_restated(frame, camera, *T, written);
-  } else {
+  } else if (has_poses(rig, frame)) {
     written.defaults.push_back(
         {camera.name + " " + std::string(kPoseKeys.back()), Message{Code::kMrcalPoseUnknown, {frame}}, true, true});
   }

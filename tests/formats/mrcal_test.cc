@@ -229,13 +229,24 @@ TEST(Mrcal, ThePoseOfAnImuIsLostAndSaid) {
   EXPECT_TRUE(joined(written).rig.resolve("cam1", "cam0"));
 }
 
-TEST(Mrcal, AnUnknownPoseIsADefault) {
+TEST(Mrcal, AnUnknownPoseBesideKnownOnesIsADefault) {
+  Rig rig = sample_rig("radtan", {true, false});
+  Camera alone = rig.cameras.front();
+  alone.name = "alone";
+  rig.cameras.push_back(alone);
+  const Written written = fresh(rig);
+  ASSERT_EQ(written.defaults.size(), 1U) << "the first camera is the reference";
+  EXPECT_EQ(written.defaults.front().key, "alone extrinsics");
+  EXPECT_TRUE(written.defaults.front().invented);
+}
+
+// Zeros in all files say as little as the input.
+TEST(Mrcal, CamerasWithoutPosesAreEachAtItsOrigin) {
   Rig rig = sample_rig("radtan", {true, false});
   rig.poses.clear();
   const Written written = fresh(rig);
-  ASSERT_EQ(written.defaults.size(), 1U) << "the first camera is the reference";
-  EXPECT_EQ(written.defaults.front().key, "cam1 extrinsics");
-  EXPECT_TRUE(written.defaults.front().invented);
+  EXPECT_TRUE(written.defaults.empty());
+  EXPECT_FALSE(joined(written).rig.resolve("cam1", "cam0"));
 }
 
 TEST(Mrcal, AMirrorImageIsRefused) {
