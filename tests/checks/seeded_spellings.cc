@@ -195,7 +195,7 @@ std::vector<TextDefect> defects() {
        false},
       {"NaN",
        {},
-       {"not-finite", "not-a-number", "number-as-text", "json-syntax", "wrong-count"},
+       {"not-finite", "not-a-number", "number-as-text", "json-syntax", "python-syntax", "wrong-count"},
        spelled("cy", [](const std::string&) { return std::string("nan"); })},
       {"a zero byte",
        {},
