@@ -85,6 +85,18 @@ const Node* Reader::find(const Node& mapping, std::string_view key) const {
   return node;
 }
 
+bool Reader::has_read(const Node& mapping, std::string_view key) const {
+  return std::ranges::any_of(asked_,
+                             [&](const Asked& each) { return each.mapping == &mapping && each.found && each.key == key; });
+}
+
+void Reader::keep_unasked(const Node& mapping, const std::string& owner, std::vector<ExtraField>& kept) const {
+  for (const text::Entry& entry : mapping.entries) {
+    if (entry.value.kind != text::NodeKind::kNull && !has_read(mapping, entry.key.value))
+      kept.push_back({owner, entry.key.value, value_text(entry.value)});
+  }
+}
+
 void Reader::warn_of_misspelt() const {
   std::set<const Node*> told;
   for (const Asked& missing : asked_) {
@@ -92,9 +104,7 @@ void Reader::warn_of_misspelt() const {
     for (const text::Entry& entry : missing.mapping->entries) {
       const std::string& key = entry.key.value;
       if (!text::is_misspelling(key, missing.key)) continue;
-      const bool read = std::ranges::any_of(
-          asked_, [&](const Asked& each) { return each.mapping == missing.mapping && each.found && each.key == key; });
-      if (read || !told.insert(&entry.key).second) continue;
+      if (has_read(*missing.mapping, key) || !told.insert(&entry.key).second) continue;
       diagnostics_.add(Code::kKeyMisspelt, {key, missing.key}, document_.range(entry.key));
     }
   }

@@ -74,6 +74,8 @@ class Reader {
   /// A warning at every key that nobody has asked for and that is probably one which was asked for and is not there: what it
   /// states would be lost without a word. To be called when all is read.
   void warn_of_misspelt() const;
+  /// Every key of a mapping that nobody has asked for, as what `owner` states beside. To be called when all is read.
+  void keep_unasked(const text::Node& mapping, const std::string& owner, std::vector<ExtraField>& kept) const;
   /// As severe as the table says, at the node.
   void say(const text::Node& node, Code code, std::vector<Argument> arguments = {});
   void say(Severity severity, const text::Node& node, Code code, std::vector<Argument> arguments = {});
@@ -91,7 +93,9 @@ class Reader {
     std::string key;
     bool found;
   };
-  mutable std::vector<Asked> asked_;  ///< A note for warn_of_misspelt(): what find() answers does not depend on it.
+  [[nodiscard]] bool has_read(const text::Node& mapping, std::string_view key) const;
+  mutable std::vector<Asked>
+      asked_;  ///< A note for warn_of_misspelt() and keep_unasked(): what find() answers does not depend on it.
 };
 
 /// How a field's value is laid out.

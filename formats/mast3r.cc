@@ -37,7 +37,7 @@ constexpr std::array kLengths = {Length{0, "pinhole"},
                                  Length{kPrismCount, "opencv14"},
                                  Length{kOpenCvCoefficients.size(), "opencv14"}};
 
-std::optional<Camera> read_camera(const text::Document& document, Diagnostics& diagnostics) {
+std::optional<Camera> read_camera(const text::Document& document, std::vector<ExtraField>& kept, Diagnostics& diagnostics) {
   fields::Reader reader(document, kDialect, diagnostics);
   Camera camera;
   camera.name = "cam0";
@@ -68,13 +68,14 @@ std::optional<Camera> read_camera(const text::Document& document, Diagnostics& d
     if (!reader.parameter(list->items[i], "calibration", id, camera.model)) return std::nullopt;
   }
   reader.warn_of_misspelt();
+  reader.keep_unasked(root, "", kept);
   return camera;
 }
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& /*options*/, Diagnostics& diagnostics) {
   Rig rig;
   for (const text::Document& document : documents) {
-    std::optional<Camera> camera = read_camera(document, diagnostics);
+    std::optional<Camera> camera = read_camera(document, rig.extra_fields, diagnostics);
     if (!camera) return std::nullopt;
     rig.cameras.push_back(*std::move(camera));
   }
@@ -83,10 +84,12 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
 
 ProbeResult probe(const text::Document& document) {
   const Node* list = text::find(document.root(), "calibration", kDialect);
-  const bool has_size =
-      text::find(document.root(), "width", kDialect) != nullptr && text::find(document.root(), "height", kDialect) != nullptr;
-  if (list == nullptr || !list->is_sequence() || !has_size) return {};
-  return {evidence::kCamera, {Code::kFoundKeys, {std::vector<std::string>{"calibration", "width"}}}};
+  if (list == nullptr || !list->is_sequence()) return {};
+  for (const char* side : {"width", "height"}) {
+    if (text::find(document.root(), side, kDialect) != nullptr)
+      return {evidence::kCamera, {Code::kFoundKeys, {std::vector<std::string>{"calibration", side}}}};
+  }
+  return {};
 }
 
 }  // namespace

@@ -87,12 +87,15 @@ struct Lens {
 /// A lens of the file while it is read.
 class Reading {
  public:
-  Reading(fields::Reader& reader, const Node& calibration) : reader_(reader), calibration_(calibration) {}
+  Reading(fields::Reader& reader, const Node& calibration, std::vector<ExtraField>& kept)
+      : reader_(reader), calibration_(calibration), kept_(kept) {}
 
   /// Nothing, with errors, where it is none. `sensor`: that holds it; may be null.
   std::optional<Camera> run(std::string name, const Node* sensor) {
     camera_.name = std::move(name);
     if (!read_kind() || !read_size(sensor) || !read_numbers()) return std::nullopt;
+    (void)reader_.find(calibration_, text::attribute("class"));  // By which it was chosen.
+    reader_.keep_unasked(calibration_, camera_.name, kept_);
     if (const std::optional<CameraModel> model = lens_.model()) {
       camera_.model = *model;
       return camera_;
@@ -132,7 +135,7 @@ class Reading {
       height = reader_.find(*resolution, text::attribute("height"));
     }
     if (width == nullptr || height == nullptr) {
-      reader_.say(calibration_, Code::kKeyMissing, {camera_.name, "width"});
+      reader_.say(calibration_, Code::kKeyMissing, {camera_.name, width == nullptr ? "width" : "height"});
       return false;
     }
     camera_.image_size = reader_.image_size(*width, *height, label(""));
@@ -156,7 +159,7 @@ class Reading {
       const std::optional<double> value = reader_.real(*node, label(each.key));
       if (!value) return false;
       if (std::abs(*value) > kLargestParameter) {
-        reader_.say(*node, Code::kPixelOutOfRange, {*value, *value});
+        reader_.say(*node, Code::kNotACamera, {label(each.key), Message{Code::kParameterTooLarge, {each.key, *value}}});
         return false;
       }
       each.value = *value;
@@ -169,6 +172,7 @@ class Reading {
 
   fields::Reader& reader_;
   const Node& calibration_;
+  std::vector<ExtraField>& kept_;
   Camera camera_;
   Lens lens_;
 };
@@ -206,7 +210,7 @@ bool read_document(const text::Document& document, Rig& rig, Diagnostics& diagno
   fields::Reader reader(document, kDialect, diagnostics);
   const Node& root = document.root();
   const auto take = [&](const Node& calibration, std::string name, const Node* sensor) {
-    std::optional<Camera> camera = Reading(reader, calibration).run(std::move(name), sensor);
+    std::optional<Camera> camera = Reading(reader, calibration, rig.extra_fields).run(std::move(name), sensor);
     if (camera) rig.cameras.push_back(*std::move(camera));
     return camera.has_value();
   };

@@ -118,8 +118,8 @@ class Reading {
                   {label("camera_model_type"), model, std::vector<std::string>{"ftheta", "opencv-pinhole", "opencv-fisheye"}});
     }
     if (!good || !read_pose()) return false;
-    if (const Node* glass = reader_.find(mapping_, "external_distortion"); glass != nullptr && glass->is_mapping())
-      rig_.extra_fields.push_back({name, "external_distortion", "{...}"});
+    reader_.keep_unasked(mapping_, name, rig_.extra_fields);
+    if (intrinsics_->is_mapping()) reader_.keep_unasked(*intrinsics_, name, rig_.extra_fields);
     rig_.cameras.push_back(std::move(camera_));
     return true;
   }
@@ -216,6 +216,7 @@ class Reading {
     const std::string which = reference != nullptr ? reader_.name(*reference, label("reference_poly")) : "";
     lens.to_angle = which == "1" || which == "PIXELDIST_TO_ANGLE";
     if (reference == nullptr) return false;
+    (void)reader_.find(*intrinsics_, lens.to_angle ? kToDistance : kToAngle);  // The same again, the other way round.
     if (!lens.to_angle && which != "2" && which != "ANGLE_TO_PIXELDIST") {
       reader_.say(*reference, Code::kTableUnknownWord, {label("reference_poly"), which, std::vector<std::string>{"1", "2"}});
       return false;

@@ -95,7 +95,7 @@ class Reading {
     const Node* width = reader_.require(mapping_, "width", camera_.name);
     const Node* height = reader_.require(mapping_, "height", camera_.name);
     if (width == nullptr || height == nullptr) return false;
-    camera_.image_size = reader_.image_size(*width, *height, camera_.name);
+    camera_.image_size = reader_.image_size(*width, *height, label(""));
     return camera_.image_size.has_value();
   }
 
@@ -197,6 +197,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
         return std::nullopt;
       }
       if (!Reading(reader, entry.value, camera).run()) return std::nullopt;
+      reader.keep_unasked(entry.value, camera.name, rig.extra_fields);
       rig.cameras.push_back(std::move(camera));
     }
     reader.warn_of_misspelt();
@@ -209,8 +210,11 @@ ProbeResult probe(const text::Document& document) {
   if (cameras == nullptr || cameras->entries.empty() || !cameras->entries.front().value.is_mapping()) return {};
   const Node& first = cameras->entries.front().value;
   const auto has = [&first](std::string_view key) { return text::find(first, key, text::Dialect::kPyYaml) != nullptr; };
-  if (!has("projection_type") || !has("width")) return {};
-  return {evidence::kCamera, {Code::kFoundKeys, {std::vector<std::string>{"projection_type", "width"}}}};
+  for (const char* side : {"width", "height"}) {
+    if (has("projection_type") && has(side))
+      return {evidence::kCamera, {Code::kFoundKeys, {std::vector<std::string>{"projection_type", side}}}};
+  }
+  return {};
 }
 
 }  // namespace
