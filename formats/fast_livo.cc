@@ -224,6 +224,15 @@ const Node* keys_of(const Node& root) {
   return nullptr;
 }
 
+/// What the file says beside those keys: of other cameras, and of time.
+void keep_beside(const Node& root, Rig& rig) {
+  const Node* keys = keys_of(root);
+  if (keys == &root) return;
+  for (const text::Entry& entry : root.entries) {
+    if (&entry.value != keys) rig.extra_fields.push_back({"", entry.key.value, fields::value_text(entry.value)});
+  }
+}
+
 /// The document with those keys alone.
 text::Document keys_alone(const text::Document& document) {
   const Node* keys = keys_of(document.root());
@@ -257,6 +266,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   warn_of_zeros(reading, document.root());
   reader.warn_of_misspelt();  // keeping what no row reads asks for all keys
   schema::keep_unread(reading, kTable.root, document.root(), camera.name);
+  keep_beside(documents.front().root(), rig);
   rig.cameras.push_back(std::move(camera));
   return rig;
 }

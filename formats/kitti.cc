@@ -3,8 +3,7 @@
 //
 //   calib_cam_to_cam.txt (KITTI raw), perspective.txt (KITTI-360): of each camera nn
 //     S_nn: w h   K_nn: 9   D_nn: k1 k2 p1 p2 k3   R_nn: 9   T_nn: 3     as recorded; p_nn = R p_00 + T [m]
-//     S_rect_nn, R_rect_nn, P_rect_nn                                    of the rectified images: kept; read where K_nn is
-//     missing
+//     S_rect_nn, R_rect_nn, P_rect_nn     of the rectified images: kept; read where K_nn is missing
 //   calib.txt (KITTI odometry)
 //     P0: 12 ... P3: 12     P = K [1 | t], p_n = p_0 + t [m]: rectified cameras, whose size is in no file
 //     Tr: 12                T_cam0_lidar: kept
@@ -66,6 +65,8 @@ class Lines {
 
   [[nodiscard]] const std::map<std::string, Line>& all() const { return lines_; }
   [[nodiscard]] bool has(const std::string& key) const { return lines_.contains(key); }
+  [[nodiscard]] bool has_read(const std::string& key) const { return read_.contains(key); }
+  void mark_read(const std::string& key) { read_.insert(key); }
   [[nodiscard]] fields::Reader& reader() { return reader_; }
   /// A number's word.
   [[nodiscard]] const Node& word(const std::string& key, std::size_t i) const { return lines_.at(key).words[i]; }
@@ -78,6 +79,7 @@ class Lines {
                                 {reader_.document().source().name, 0, 0});
       return std::nullopt;
     }
+    read_.insert(key);
     const auto& [value, words] = found->second;
     if (words.size() != count) {
       reader_.say(*value, Code::kNumbersWanted, {key, words.size(), count});
@@ -95,6 +97,7 @@ class Lines {
  private:
   fields::Reader reader_;
   std::map<std::string, Line> lines_;
+  std::set<std::string> read_;
 };
 
 /// T from rows of a rotation and a translation.
@@ -123,6 +126,7 @@ bool set_pinhole(Lines& lines, const std::string& key, std::size_t columns, cons
 }
 
 void keep(Lines& lines, const std::string& key, const std::string& owner, Rig& rig) {
+  lines.mark_read(key);
   std::string value;
   for (const Node& word : lines.all().at(key).words) value += (value.empty() ? "[" : ", ") + word.value;
   rig.extra_fields.push_back({owner, key, value + "]"});
@@ -205,12 +209,18 @@ bool read_pose(Lines& lines, const std::string& key, Rig& rig) {
   return true;
 }
 
-bool is_recorded(const std::string& key) { return key.size() == 4 && key.starts_with("K_"); }
+bool is_recorded(const std::string& key) {
+  return key.size() == 4 && key.starts_with("K_") && key.find_first_not_of("0123456789", 2) == std::string::npos;
+}
 bool is_rectified(const std::string& key) { return key.size() == 2 && key[0] == 'P' && key[1] >= '0' && key[1] <= '9'; }
 bool is_rectified_alone(const Lines& lines, const std::string& key) {
   return key.size() == 9 && key.starts_with("P_rect_") && !lines.has("K_" + key.substr(7));
 }
-bool is_pose(const std::string& key) { return key.size() == 8 && key.starts_with("image_"); }
+bool is_pose(const std::string& key) {
+  constexpr std::string_view kStart = "image_";
+  return key.size() == kStart.size() + 2 && key.starts_with(kStart) &&
+         key.find_first_not_of("0123456789", kStart.size()) == std::string::npos;
+}
 
 bool read_lines(Lines& lines, const ReadOptions& options, Rig& rig) {
   for (const auto& [key, line] : lines.all()) {
@@ -225,7 +235,9 @@ bool read_lines(Lines& lines, const ReadOptions& options, Rig& rig) {
       if (!read_rectified(lines, key, camera, "image_00", rig)) return false;
     }
     if (is_pose(key) && !read_pose(lines, key, rig)) return false;
-    if (key == "Tr" || key == "Tr_velo_to_cam" || key == "Tr_imu_to_velo") keep(lines, key, "", rig);
+  }
+  for (const auto& [key, line] : lines.all()) {
+    if (!lines.has_read(key)) keep(lines, key, "", rig);
   }
   return true;
 }

@@ -7,11 +7,10 @@
 //     projection (or type="")     frame, fisheye (equidistant_fisheye), equisolid_fisheye
 //     width, height (or <resolution width height>)
 //     f, b1, b2, cx, cy [px]      u = w/2 + cx + x (f + b1) + y b2,  v = h/2 + cy + y f, the image's corner being (0, 0)
-//     k1 .. k4                    x (1 + k1 r^2 + ... + k4 r^8), where (x, y) = (X, Y)/Z, or an angle's length in that
-//     direction p1, p2, p3, p4              x gets (p1 (r^2 + 2 x^2) + 2 p2 x y)(1 + p3 r^2 + p4 r^4): OpenCV's p2 and p1
+//     k1 .. k4                    x (1 + k1 r^2 + ... + k4 r^8); (x, y) = (X, Y)/Z, or as long as the angle
+//     p1 .. p4                    x gets (p1 (r^2 + 2 x^2) + 2 p2 x y)(1 + p3 r^2 + p4 r^4): OpenCV's p2 and p1
 //
-// A key that is not there is 0. What no model here holds (k4 or p3 of a frame lens, b2, p1 of a fisheye) makes it a table of
-// rays.
+// A key that is not there is 0. What no model here holds (k4 or p3 of a frame lens, p1 of a fisheye) makes it a table of rays.
 #include "metashape.h"
 
 #include "fields.h"
@@ -75,12 +74,14 @@ struct Lens {
   /// The same as a model of the list; nothing where there is none.
   [[nodiscard]] std::optional<CameraModel> model() const {
     const auto [u, v] = centre();
-    const bool has_growth = p[2] != 0.0 || p[3] != 0.0;
-    if (b2 != 0.0 || has_growth) return std::nullopt;
-    if (kind == Kind::kFrame && k[3] == 0.0) return Intrinsics<Radtan>{{f + b1, f, u, v, k[0], k[1], p[1], p[0], k[2]}};
     const bool has_tangential = p[0] != 0.0 || p[1] != 0.0;
-    if (kind == Kind::kEquidistant && !has_tangential) return Intrinsics<Kb4>{{f + b1, f, u, v, k[0], k[1], k[2], k[3]}};
-    return std::nullopt;
+    const bool has_growth = p[2] != 0.0 || p[3] != 0.0;
+    std::optional<CameraModel> straight;
+    if (kind == Kind::kFrame && k[3] == 0.0 && !has_growth)
+      straight = Intrinsics<Radtan>{{f + b1, f, u, v, k[0], k[1], p[1], p[0], k[2]}};
+    if (kind == Kind::kEquidistant && !has_tangential && !has_growth)
+      straight = Intrinsics<Kb4>{{f + b1, f, u, v, k[0], k[1], k[2], k[3]}};
+    return straight && b2 != 0.0 ? with_skew(*straight, b2) : straight;
   }
 };
 
@@ -103,7 +104,7 @@ class Reading {
     const Lens lens = lens_;
     std::optional<Camera> table = measured(
         camera_, [lens](const Ray& ray) { return lens.project(ray); }, std::numbers::pi);
-    if (!table) reader_.say(calibration_, Code::kRaysWithoutCentre);
+    if (!table) reader_.say(calibration_, Code::kLensWithoutTable, {camera_.name, kFewestRays});
     return table;
   }
 
@@ -201,9 +202,9 @@ const Node* calibration_of(const Node& sensor) {
 std::string name_of(fields::Reader& reader, const Node& sensor, const Rig& rig) {
   const Node* label = reader.find(sensor, text::attribute("label"));
   const Node* id = reader.find(sensor, text::attribute("id"));
-  const std::string number = "sensor" + (id != nullptr ? id->value : std::to_string(rig.cameras.size()));
+  const std::string number = "sensor" + (id != nullptr ? reader.name(*id, "id") : std::to_string(rig.cameras.size()));
   const std::string name = label != nullptr ? reader.name(*label, "label") : "";
-  return name.empty() || rig.find_camera(name) != nullptr ? number : name;
+  return rig.unused_name(name.empty() || rig.find_camera(name) != nullptr ? number : name);
 }
 
 bool read_document(const text::Document& document, Rig& rig, Diagnostics& diagnostics) {

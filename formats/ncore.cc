@@ -5,16 +5,15 @@
 //   <the camera's id>
 //     camera_model_type   ftheta, opencv-pinhole or opencv-fisheye
 //     resolution          [width, height]
-//     T_sensor_rig        4 x 4: for all its name T_vehicle_camera, the camera's place in the vehicle, by the numbers of real
-//     files intrinsics
+//     T_sensor_rig        4 x 4: by the numbers of real files T_vehicle_camera, for all its name
+//     intrinsics
 //       principal_point   ftheta: the centre of the top-left pixel is (0, 0); elsewhere it is (0.5, 0.5)
 //       focal_length, radial_coeffs, tangential_coeffs, thin_prism_coeffs    as OpenCV has them; forward_poly: radial_coeffs
-//       angle_to_pixeldist_poly, pixeldist_to_angle_poly    c0 + c1 x + ...: rad, px; reference_poly says which one counts, 1
-//       the
-//                         second and 2 the first: the other is near it
+//       angle_to_pixeldist_poly, pixeldist_to_angle_poly    c0 + c1 x + ...: rad, px
+//       reference_poly    which of the two counts, 1 the second and 2 the first: the other is near it
 //       linear_cde        pixel - principal point = [c d; e 1] r (cos, sin); all 0: [1, 0, 0]
 //       max_angle_rad     where the lens ends
-//     external_distortion   of a windshield, before the lens: not read
+//     external_distortion   of a windshield, before the lens: not read, with a warning
 //
 // An f-theta lens is a polynomial of six terms, which is no model here: it is read as a table of rays.
 #include "ncore.h"
@@ -24,6 +23,7 @@
 #include <fca/code.h>
 #include <fca/convert/ray_table.h>
 #include <fca/formats/opencv_coefficients.h>
+#include <fca/rig/limits.h>
 
 #include <algorithm>
 #include <array>
@@ -118,6 +118,8 @@ class Reading {
                   {label("camera_model_type"), model, std::vector<std::string>{"ftheta", "opencv-pinhole", "opencv-fisheye"}});
     }
     if (!good || !read_pose()) return false;
+    if (const Node* glass = text::find(mapping_, "external_distortion", kDialect); glass != nullptr && glass->is_mapping())
+      reader_.say(*glass, Code::kNcoreGlass, {name});
     reader_.keep_unasked(mapping_, name, rig_.extra_fields);
     if (intrinsics_->is_mapping()) reader_.keep_unasked(*intrinsics_, name, rig_.extra_fields);
     rig_.cameras.push_back(std::move(camera_));
@@ -223,6 +225,11 @@ class Reading {
     }
     const std::string_view key = lens.to_angle ? kToAngle : kToDistance;
     std::optional<Numbers> polynomial = numbers(key, 0);
+    constexpr std::size_t kMostCoefficients = 6;
+    if (polynomial && polynomial->size() > kMostCoefficients) {
+      reader_.say(*reader_.find(*intrinsics_, key), Code::kNumbersWanted, {label(key), polynomial->size(), kMostCoefficients});
+      return false;
+    }
     const std::optional<Numbers> centre = numbers("principal_point", lens.centre.size());
     const std::optional<Numbers> angle = max_angle();
     if (!polynomial || !centre || !angle || !read_linear(lens)) return false;
@@ -236,7 +243,7 @@ class Reading {
     std::optional<Camera> table = measured(
         camera_, [&lens](const Ray& ray) { return lens.project(ray); }, lens.max_angle_rad);
     if (!table) {
-      reader_.say(*reader_.find(*intrinsics_, key), Code::kRaysWithoutCentre);
+      reader_.say(*reader_.find(*intrinsics_, key), Code::kLensWithoutTable, {camera_.name, kFewestRays});
       return false;
     }
     camera_ = *std::move(table);
@@ -277,8 +284,14 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
       return std::nullopt;
     }
     fields::Reader reader(document, kDialect, diagnostics);
+    if (document.root().entries.size() > kMostCameras) {
+      diagnostics.add(Code::kTooManyCameras, {document.root().entries.size(), kMostCameras}, {document.source().name, 0, 0});
+      return std::nullopt;
+    }
+    reader.warn_of_duplicates(document.root());
     for (const text::Entry& entry : document.root().entries) {
-      const std::string name = reader.name(entry.key, entry.key.value);
+      if (text::find_entry(document.root(), entry.key.value, reader.dialect()) != &entry) continue;
+      const std::string name = rig.unused_name(reader.name(entry.key, entry.key.value));
       if (!entry.value.is_mapping()) {
         reader.say(entry.value, Code::kTableNoObject, {name});
         return std::nullopt;

@@ -18,6 +18,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/ray_table.h>
+#include <fca/rig/limits.h>
 
 #include <algorithm>
 #include <array>
@@ -121,7 +122,10 @@ class Reading {
       if (!length || !offset) return false;
       const Node& node = *reader_.find(mapping_, keys.at(axis));
       if (!reader_.parameter(node, label(keys.at(axis)), focal.at(axis), *length * side, camera_.model)) return false;
-      set_parameter(camera_.model, centre.at(axis), *offset * side + middle.at(axis));
+      const Node* centre_node = reader_.find(mapping_, offsets.at(axis));
+      if (!reader_.parameter(centre_node != nullptr ? *centre_node : node, label(offsets.at(axis)), centre.at(axis),
+                             *offset * side + middle.at(axis), camera_.model))
+        return false;
     }
     return true;
   }
@@ -133,8 +137,14 @@ class Reading {
     }
     std::array<double, kBeside.size()> beside{};
     for (std::size_t i = 0; i < projection.beside; ++i) {
+      const Node* node = reader_.find(mapping_, kBeside.at(i));
       const std::optional<double> value = number(kBeside.at(i), 0.0);
       if (!value) return false;
+      if (std::abs(*value) > kLargestParameter) {
+        reader_.say(*node, Code::kNotACamera,
+                    {label(kBeside.at(i)), Message{Code::kParameterTooLarge, {kBeside.at(i), *value}}});
+        return false;
+      }
       beside.at(i) = *value;
     }
     return std::ranges::all_of(beside, [](double value) { return value == 0.0; }) || make_table(beside);
@@ -159,7 +169,7 @@ class Reading {
     };
     std::optional<Camera> table = measured(camera_, project, max_angle(radial));
     if (!table) {
-      reader_.say(mapping_, Code::kRaysWithoutCentre);
+      reader_.say(mapping_, Code::kLensWithoutTable, {camera_.name, kFewestRays});
       return false;
     }
     camera_ = *std::move(table);
@@ -189,9 +199,15 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
       return std::nullopt;
     }
     fields::Reader reader(document, text::Dialect::kPyYaml, diagnostics);
+    if (cameras->entries.size() > kMostCameras) {
+      diagnostics.add(Code::kTooManyCameras, {cameras->entries.size(), kMostCameras}, {document.source().name, 0, 0});
+      return std::nullopt;
+    }
+    reader.warn_of_duplicates(*cameras);
     for (const text::Entry& entry : cameras->entries) {
+      if (text::find_entry(*cameras, entry.key.value, reader.dialect()) != &entry) continue;
       Camera camera;
-      camera.name = reader.name(entry.key, entry.key.value);
+      camera.name = rig.unused_name(reader.name(entry.key, entry.key.value));
       if (!entry.value.is_mapping()) {
         reader.say(entry.value, Code::kTableNoObject, {camera.name});
         return std::nullopt;

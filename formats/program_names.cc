@@ -42,7 +42,8 @@ constexpr std::array kColmap = {Name("pycolmap"),
                                 Name("opensplat"),
                                 Name("realitycapture-colmap"),
                                 Name("realitycapture")};
-constexpr std::array kStella = {Name("stella_vslam"), Name("openvslam"), Name("plp-slam"), Name("360vslam")};
+constexpr std::array kStella = {Name("stella_vslam"), Name("plp-slam"), Name("360vslam")};
+constexpr std::array kOpenvslam = {Name("openvslam")};
 constexpr std::array kFastLivo = {Name("fast-livo2")};
 
 constexpr std::array kGraphdeco = {Name("3dgs"), Name("inria-gs"), Name("gaussian-splatting"), Name("graphdeco")};
@@ -113,6 +114,7 @@ constexpr std::array kNames = {
     ProgramName{kNerfstudio, "nerfstudio", "nerfstudio"},
     ProgramName{.names = kInstantNgp, .title = "instant-ngp", .format = "nerfstudio", .consumer = "instant-ngp"},
     ProgramName{kStella, "stella_vslam", "stella"},
+    ProgramName{.names = kOpenvslam, .title = "OpenVSLAM", .format = "stella", .consumer = "openvslam"},
     ProgramName{kFastLivo, "FAST-LIVO", "fast-livo"},
     ProgramName{kDepthai, "DepthAI", "depthai"},
     ProgramName{kOpenicc, "OpenImuCameraCalibrator", "openicc"},

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 namespace fca::rays {
@@ -45,7 +46,27 @@ std::vector<Node> words_of(const Node& line) {
   return words;
 }
 
-bool names_columns(std::span<const Node> words) { return std::ranges::equal(words, kColumns, {}, &Node::value); }
+/// In any case, with or without quotes, also behind the "#" of a comment.
+bool names_columns(std::span<const Node> words) {
+  std::string names;
+  for (const Node& word : words) {
+    for (const char c : word.value) {
+      if (c != '"' && c != '#') names += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    if (!names.empty()) names += ' ';
+  }
+  return names == "u v x y z ";
+}
+
+/// A comment above the numbers, as numpy.savetxt writes its header.
+bool has_header_in_comment(const text::Document& document) {
+  for (const Node& line : document.root().items) {
+    if (line.items.empty()) continue;
+    if (line.tag != text::kCommentTag) return false;
+    if (names_columns(words_of(line))) return true;
+  }
+  return false;
+}
 
 /// The first line that states something.
 const Node* first_line(const text::Document& document) {
@@ -124,7 +145,7 @@ ProbeResult probe(const text::Document& document) {
   if (document.root().tag == text::kNpyTag) return {evidence::kHint, {Code::kFoundKeys, {"NumPy"}}};
   const bool has_lines = document.syntax() == text::Syntax::kWords;
   const Node* first = has_lines ? first_line(document) : nullptr;
-  if (first == nullptr || !names_columns(words_of(*first))) return {};
+  if (first == nullptr || (!names_columns(words_of(*first)) && !has_header_in_comment(document))) return {};
   return {evidence::kCamera, {Code::kFoundKeys, {std::vector<std::string>(kColumns.begin(), kColumns.end())}}};
 }
 

@@ -85,6 +85,10 @@ const StoredModel* find_stored_model(const Format& format, std::string_view mode
 }
 
 bool can_store(const Format& format, const Camera& camera, Diagnostics& diagnostics) {
+  if (!camera.rays.empty()) {
+    diagnostics.add(Code::kOnlyRaysKnown, {camera.name});
+    return false;
+  }
   const std::string model(model_info(camera.model).id);
   const StoredModel* stored = find_stored_model(format, model, false);
   if (stored == nullptr) {
@@ -105,7 +109,8 @@ bool can_store(const Format& format, const Rig& rig, const Rig* there, Diagnosti
   bool good = true;
   for (const Camera& camera : rig.cameras) {
     const Camera* before = there != nullptr ? there->find_camera(camera.name) : nullptr;
-    if (before == nullptr || before->model != camera.model) good = can_store(format, camera, diagnostics) && good;
+    if (before == nullptr || before->model != camera.model || before->rays != camera.rays)
+      good = can_store(format, camera, diagnostics) && good;
   }
   return good;
 }

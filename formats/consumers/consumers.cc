@@ -22,6 +22,10 @@ constexpr double kDoublePrecisionPx = 1e-9;
 constexpr double kFloatPrecisionPx = 2e-4;
 
 /// It has four places for coefficients.
+constexpr std::array<std::string_view, 4> kTakenByOkvis2X = {"radialtangential", "equidistant", "radialtangential8", "eucm"};
+constexpr std::array<std::string_view, 5> kTakenByMaplab = {"pinhole, radial-tangential", "pinhole, equidistant",
+                                                            "pinhole, fisheye", "pinhole, none",
+                                                            "unified-projection, radial-tangential"};
 constexpr std::array kUnreadByInstantNgp = {UnreadParameter{"radtan", "k3"}};
 
 constexpr std::array kConsumers{
@@ -215,6 +219,7 @@ constexpr std::array kConsumers{
              .format = "okvis",
              .tolerance_px = kDoublePrecisionPx,
              .load = &in_own_locale<&load_okvis2_x>,
+             .writing = {.models_taken = kTakenByOkvis2X},
              .source = "luohongk/OKVIS2-X@d14f9fc (2026-04-21)",
              .prepare = &prepare_storage_programs},
     Consumer{.id = "okvis",
@@ -235,6 +240,7 @@ constexpr std::array kConsumers{
              .format = "ncamera",
              .tolerance_px = kDoublePrecisionPx,
              .load = &in_own_locale<&load_maplab>,
+             .writing = {.models_taken = kTakenByMaplab},
              .source = "ethz-asl/maplab@0b4868e"},
     Consumer{.id = "colmap",
              .program = "COLMAP",

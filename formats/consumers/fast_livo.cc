@@ -113,12 +113,8 @@ void fill_equidistant(Parameters& parameters, const opencv::CameraMatrix& K, Con
     camera.project = [K](const Ray& ray) -> std::optional<Pixel> { return opencv::project_points(K, {}, ray); };
     return;
   }
-  camera.project = [K, k](const Ray& ray) -> std::optional<Pixel> {
-    constexpr double kOnAxis = 1e-8;
-    const Pixel point = {ray[0] / ray[2], ray[1] / ray[2]};
-    if (std::hypot(point[0], point[1]) < kOnAxis) return point;
-    return opencv::fisheye_project_points(K, k, ray);
-  };
+  // Within 1e-8 of its axis it forgets the camera matrix: no point of an image is so close.
+  camera.project = [K, k](const Ray& ray) -> std::optional<Pixel> { return opencv::fisheye_project_points(K, k, ray); };
   constexpr int kSteps = 5;
   camera.unproject = [K, k](const Pixel& pixel) -> std::optional<Ray> {
     const double x = (pixel[0] - K.cx) / K.fx;
@@ -169,8 +165,9 @@ void load_camera(const Value& keys, ConsumerView& view) {
   camera.name = "cam0";
   camera.model = model;
   const double scale = model == "ATAN" ? 1.0 : parameters.with_default("scale", 1.0);
-  camera.width = static_cast<int>(parameters.whole("cam_width") * scale);
-  camera.height = static_cast<int>(parameters.whole("cam_height") * scale);
+  constexpr double kMostPixels = 1e9;
+  camera.width = static_cast<int>(std::clamp(parameters.whole("cam_width") * scale, 0.0, kMostPixels));
+  camera.height = static_cast<int>(std::clamp(parameters.whole("cam_height") * scale, 0.0, kMostPixels));
   camera.scale = {scale, scale};
   const opencv::CameraMatrix K = {.fx = parameters.demanded("cam_fx") * scale,
                                   .fy = parameters.demanded("cam_fy") * scale,

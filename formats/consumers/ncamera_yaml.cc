@@ -61,7 +61,7 @@ std::optional<std::vector<double>> File::matrix(const YAML::Node& node, const st
   const std::optional<double> stated_cols = number(node, "cols", path + "/cols");
   const YAML::Node data = require(node, "data", path + "/data");
   if (!stated_rows || !stated_cols || !data.IsDefined()) return std::nullopt;
-  const auto count = static_cast<std::size_t>(std::max(0.0, *stated_rows * *stated_cols));
+  const auto count = static_cast<std::size_t>(std::clamp(*stated_rows * *stated_cols, 0.0, 1e9));
   std::vector<double> numbers;
   if (data.IsSequence()) collect(data, numbers);
   const bool good = data.IsSequence() && numbers.size() == count &&

@@ -197,16 +197,7 @@ std::optional<double> read_imu(const YAML::Node& root, ncamera::File& file) {
   return delay;
 }
 
-/// vikit's reader of one camera alone.
-void read_alone(const YAML::Node& root, ncamera::File& file) {
-  std::optional<ConsumerCamera> camera = read_camera(root, "", file);
-  if (!camera) return;
-  camera->name = "cam0";
-  file.view().cameras.push_back(*std::move(camera));
-}
-
 void read_file(const YAML::Node& root, ncamera::File& file) {
-  if (!root["cameras"] && root["intrinsics"]) return read_alone(root, file);
   file.word(root, "label", "label");
   const std::optional<double> delay = read_imu(root, file);
   const YAML::Node cameras = file.require(root, "cameras", "cameras");

@@ -53,6 +53,7 @@ struct Number {
 };
 constexpr std::array kParameters = {Number{"Fx", "fx"}, Number{"Fy", "fy"}, Number{"PPX", "cx"}, Number{"PPY", "cy"}};
 
+constexpr std::string_view kDepth = "Depth";
 constexpr std::string_view kInfrared1 = "Infrared_1";
 constexpr std::string_view kInfrared2 = "Infrared_2";
 constexpr std::string_view kGyroscope = "Gyro";
@@ -60,7 +61,7 @@ constexpr std::string_view kAccelerometer = "Accel";
 
 std::string camera_name(std::string stream) {
   std::ranges::replace(stream, ' ', '_');
-  return stream;
+  return text::printable(stream);
 }
 
 devices::Nodes pointers(const std::vector<Node>& nodes) {
@@ -92,10 +93,32 @@ class PrintReader {
       if (chosen->at(i) && !read_camera(streams[i].camera, *chosen->at(i), rig)) return false;
     }
     keep_motion(rig);
-    return read_poses(rig);
+    if (!read_poses(rig)) return false;
+    leave_out_depth(rig);
+    return true;
   }
 
  private:
+  /// Images of depth are computed from those of Infrared 1.
+  void leave_out_depth(Rig& rig) {
+    const Camera* depth = rig.find_camera(kDepth);
+    const Camera* infrared = rig.find_camera(kInfrared1);
+    if (depth == nullptr || infrared == nullptr) return;
+    const bool is_one_lens = depth->model == infrared->model && depth->image_size == infrared->image_size &&
+                             rig.resolve(kDepth, kInfrared1) == Transform{};
+    if (!is_one_lens) return;
+    for (PoseEdge& edge : rig.poses) {
+      for (std::string* end : {&edge.a, &edge.b}) {
+        if (*end == kDepth) *end = kInfrared1;
+      }
+    }
+    std::erase_if(rig.poses, [](const PoseEdge& edge) { return edge.a == edge.b; });
+    std::erase_if(rig.cameras, [](const Camera& camera) { return camera.name == kDepth; });
+    const auto block = std::ranges::find_if(
+        blocks_, [](const Block& each) { return each.kind == Block::Kind::kStream && camera_name(each.name) == kDepth; });
+    if (block != blocks_.end()) reader_.say(*block->place, Code::kRealsenseDepthIsInfrared, {kDepth, kInfrared1});
+  }
+
   /// Those of which a size cannot be read have none.
   std::vector<devices::Sizes> streams_of_blocks() {
     std::vector<devices::Sizes> streams;

@@ -83,11 +83,15 @@ text::Document edited(const text::Document& base, const Rig& old, const Rig& rig
   text::Document document = base;
   const Node& root = document.root();
   const Camera& before = old.cameras.front();
-  std::string_view lens_key;
-  const LensModel& there = *find_lens(lens_node(root, lens_key)->value);
-  const LensModel& lens = lens_for(camera.model, &there);
-  std::vector<Field> from = {fields::quoted(std::string(lens_key), there.name), intrinsics_field(before.model, there)};
-  std::vector<Field> to = {fields::quoted(std::string(lens_key), lens.name), intrinsics_field(camera.model, lens)};
+  std::vector<Field> from;
+  std::vector<Field> to;
+  if (camera.rays.empty()) {
+    std::string_view lens_key;
+    const LensModel& there = *find_lens(lens_node(root, lens_key)->value);
+    const LensModel& lens = lens_for(camera.model, &there);
+    from = {fields::quoted(std::string(lens_key), there.name), intrinsics_field(before.model, there)};
+    to = {fields::quoted(std::string(lens_key), lens.name), intrinsics_field(camera.model, lens)};
+  }
   if (before.model != camera.model) list_stale(old, written.losses);
   // Of a camera alone what the file says of its place goes on to be said.
   const std::string frame = reference_of(rig);

@@ -41,7 +41,7 @@ bool make_table_of_rays(fields::Reader& reader, const Node& root, std::string_vi
   if (!numbers) return false;
   std::optional<Camera> table = measured(camera, projection_of_own_lens(name, *numbers), std::numbers::pi);
   if (!table) {
-    reader.say(list, Code::kRaysWithoutCentre);
+    reader.say(list, Code::kLensWithoutTable, {camera.name, kFewestRays});
     return false;
   }
   camera = *std::move(table);
@@ -72,14 +72,19 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   return rig;
 }
 
+bool has_lens_of(const Camera& camera, const Camera& other) {
+  return camera.rays == other.rays && camera.image_size == other.image_size;
+}
+
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  if (!writable_alone(kFormat, rig, Message{Code::kMrcalDemandsSize}, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  // A lens of mrcal's own has become another one.
   const bool is_of_own_lens = there && !there->cameras.front().rays.empty();
-  const std::optional<Rig> old = options.anew || is_of_own_lens ? std::nullopt : there;
+  const bool keeps_own_lens =
+      is_of_own_lens && !options.anew && rig.cameras.size() == 1 && has_lens_of(rig.cameras.front(), there->cameras.front());
+  if (!keeps_own_lens && !writable_alone(kFormat, rig, Message{Code::kMrcalDemandsSize}, diagnostics)) return std::nullopt;
+  const std::optional<Rig> old = options.anew || (is_of_own_lens && !keeps_own_lens) ? std::nullopt : there;
   Written written;
   bool edits = false;
   for (const Camera& camera : rig.cameras) {

@@ -29,6 +29,7 @@
 #include "table.h"
 
 #include <fca/code.h>
+#include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
@@ -120,21 +121,29 @@ Rig with_inverses(const Rig& rig, const std::optional<Rig>& old, Written& writte
     const auto is_inverse = [&camera](const ExtraField& extra) {
       return extra.owner == camera.name && extra.key == ocamcalib::kInverse;
     };
-    if (before != nullptr && before->model != camera.model) std::erase_if(result.extra_fields, is_inverse);
-    std::optional<ExtraField> inverse = inverse_of(result, camera, written, diagnostics);
+    const bool is_edited = before != nullptr && has_same_polynomial(before->model, camera.model);
+    if (before != nullptr && !is_edited) std::erase_if(result.extra_fields, is_inverse);
+    std::optional<ExtraField> inverse = inverse_of(result, camera, is_edited, written, diagnostics);
     std::erase_if(result.extra_fields, is_inverse);
     if (inverse) result.extra_fields.push_back(*std::move(inverse));
   }
   return result;
 }
 
+bool has_any(const Rig& rig, std::string_view model) {
+  return std::ranges::any_of(rig.cameras, [model](const Camera& camera) { return model_info(camera.model).id == model; });
+}
+
+/// Who reads a fresh file with these lenses.
+std::string_view readers_of(const Rig& rig) {
+  if (has_any(rig, "mei")) return "maplab";
+  return has_any(rig, "ocamcalib") ? "SVO" : "SVO and maplab";
+}
+
 std::vector<std::string> programs_of(const text::Document& document, const Rig& rig) {
-  const auto any = [&rig](std::string_view model) {
-    return std::ranges::any_of(rig.cameras, [model](const Camera& camera) { return model_info(camera.model).id == model; });
-  };
   if (find_sensors(document)) return {"maplab"};
-  if (is_factory_file(document)) return {};
-  if (any("mei")) return {"maplab"};
+  if (is_factory_file(document) || is_single(document)) return {};
+  if (has_any(rig, "mei")) return {"maplab"};
   return {"svo"};
 }
 
@@ -144,8 +153,8 @@ void list_losses(const schema::Schema& table, Rig rig, Written& written) {
   if (&table == &kSensors) {
     for (Imu& imu : rig.imus) imu.topic.clear();
     if (!rig.imus.empty() && rig.imus.front().rate_hz)
-      written.losses.push_back(
-          lost(Code::kNotCarriedValue, rig.imus.front().name, "rate", {no_place, *rig.imus.front().rate_hz}));
+      written.losses.push_back(lost(Code::kNotCarriedValue, rig.imus.front().name, "rate",
+                                    {no_place, text::format_short(*rig.imus.front().rate_hz)}));
   }
   schema::list_losses(table, rig, no_place, written.losses);
 }
@@ -180,7 +189,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   add_extras_lost(rig, edits ? there->extra_fields : carried(rig), edits ? std::nullopt : there,
                   Message{Code::kFilesHaveNoPlace, {table.program}}, written.losses);
   list_losses(table, rig, written);
-  written.headline = {Code::kTableWrote, {kFormat.title, edits ? table.program : std::string_view("SVO and maplab")}};
+  written.headline = {Code::kTableWrote, {"an ncamera", edits ? table.program : readers_of(rig)}};
   return written;
 }
 

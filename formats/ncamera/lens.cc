@@ -225,6 +225,9 @@ bool read_lens(schema::Reading& reading, const Key& key, const Node& node) {
   }
   reading.camera->model = make_model(lens->model).value();
   reading.lens = lens->name;
+  // A file that was cut off says no less.
+  if (distortion == nullptr && !is_omni(*lens))
+    reading.reader.say(Severity::kNote, node, Code::kOrbslamTakesZero, {reading.owner + " distortion", "SVO"});
   // A lens without its coefficients would be another one.
   return lens->coefficients.empty() ||
          reading.reader.require(*distortion, "parameters", reading.owner + " distortion") != nullptr;
@@ -236,12 +239,25 @@ std::vector<Statement> write_type(const Subject& subject, const Key& key) {
   return schema::states(fields::scalar(key.text(), std::string(lens->type)), {FactKind::kModel});
 }
 
-std::optional<ExtraField> inverse_of(const Rig& rig, const Camera& camera, Written& written, Diagnostics& diagnostics) {
+bool has_same_polynomial(const CameraModel& a, const CameraModel& b) {
+  if (model_info(a).id != kOcamcalib || model_info(b).id != kOcamcalib) return false;
+  return std::ranges::all_of(model_info(a).parameters, [&](const Parameter& row) {
+    const ParameterId id(row);
+    return !row.name.starts_with('a') || parameter(a, id) == parameter(b, id);
+  });
+}
+
+std::optional<ExtraField> inverse_of(const Rig& rig, const Camera& camera, bool is_edited, Written& written,
+                                     Diagnostics& diagnostics) {
   if (model_info(camera.model).id != kOcamcalib) return std::nullopt;
-  const ExtraField* kept = rig.find_extra_field(camera.name, ocamcalib::kInverse);
-  if (kept != nullptr && numbers_in(kept->value).size() <= kInverseCount) return *kept;
-  const ocamcalib::InversePolynomial fitted = ocamcalib::fit_inverse(camera, kInverseCount);
   constexpr double kGoal = 1e-6;  // px
+  const ExtraField* kept = rig.find_extra_field(camera.name, ocamcalib::kInverse);
+  if (kept != nullptr) {
+    const std::vector<double> numbers = numbers_in(kept->value);
+    const bool fits = numbers.size() <= kInverseCount && (is_edited || ocamcalib::inverse_error(camera, numbers) <= kGoal);
+    if (fits) return *kept;
+  }
+  const ocamcalib::InversePolynomial fitted = ocamcalib::fit_inverse(camera, kInverseCount);
   written.defaults.push_back({camera.name + " " + std::string(ocamcalib::kInverse),
                               Message{Code::kCalibResultsInverseFitted, {fitted.coefficients.size(), fitted.error_px}},
                               fitted.error_px > kGoal});

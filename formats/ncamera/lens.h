@@ -13,9 +13,12 @@ namespace fca::ncamera {
 extern const schema::Mapping kDistortion;
 extern const schema::Mapping kIntrinsics;
 
-/// The polynomial of SVO's omni lenses by which it projects: that of the rig for the camera as far as it has places for it,
-/// else one that is fitted. Nothing of other lenses.
-[[nodiscard]] std::optional<ExtraField> inverse_of(const Rig& rig, const Camera& camera, Written& written,
+/// Are both lenses of OCamCalib's, with the same polynomial?
+[[nodiscard]] bool has_same_polynomial(const CameraModel& a, const CameraModel& b);
+
+/// The polynomial of SVO's omni lenses by which it projects: that of the rig for the camera, where it has places for it and is
+/// the inverse (of a file that is edited: whatever it is), else one that is fitted. Nothing of other lenses.
+[[nodiscard]] std::optional<ExtraField> inverse_of(const Rig& rig, const Camera& camera, bool is_edited, Written& written,
                                                    Diagnostics& diagnostics);
 
 /// Two radii, in halves of the image's height, outside of which SVO's omni lenses show nothing; zeros: they show all.

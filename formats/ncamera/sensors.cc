@@ -6,6 +6,7 @@
 #include <fca/code.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace fca::ncamera {
@@ -27,6 +28,7 @@ std::string word_at(const Node& node, std::string_view key) {
 struct Extrinsic {
   std::string base;
   const Node* matrix = nullptr;  ///< Null: the list says none.
+  const Node* pose = nullptr;    ///< That holds it.
 };
 
 Extrinsic extrinsic_of(const Node& root, const std::string& id) {
@@ -35,7 +37,7 @@ Extrinsic extrinsic_of(const Node& root, const std::string& id) {
   for (const Node& entry : list->items) {
     if (word_at(entry, "sensor_id") != id) continue;
     const Node* pose = text::find(entry, "T_B_S", kDialect);
-    return {word_at(entry, "base_sensor_id"), pose != nullptr ? text::find(*pose, "data", kDialect) : nullptr};
+    return {word_at(entry, "base_sensor_id"), pose != nullptr ? text::find(*pose, "data", kDialect) : nullptr, pose};
   }
   return {};
 }
@@ -162,6 +164,29 @@ std::optional<Rig> read_sensors(const text::Document& document, const Sensors& s
   return rig;
 }
 
+namespace {
+
+/// Where the NCAMERA sits to the IMU, in the list.
+void edit_body(text::Document& document, const Sensors& sensors, const Transform& was, const Transform& now) {
+  const Node& root = document.root();
+  const Extrinsic cameras = extrinsic_of(root, word_at(*sensors.cameras, "id"));
+  if (was == now || cameras.pose == nullptr || sensors.imu == nullptr) return;
+  Transform T_base_imu;
+  if (const std::string imu_id = word_at(*sensors.imu, "id"); cameras.base != imu_id) {
+    const Extrinsic imu = extrinsic_of(root, imu_id);
+    Diagnostics ignored;
+    fields::Reader reader(document, kDialect, ignored);
+    const std::optional<Transform> stated =
+        imu.matrix != nullptr ? reader.transform(*imu.matrix, "T_B_S of the IMU") : std::nullopt;
+    if (!stated) return;
+    T_base_imu = *stated;
+  }
+  const auto field = [&T_base_imu](const Transform& T) { return std::array{fields::rows("data", T_base_imu * T)}; };
+  fields::apply(document, *cameras.pose, kDialect, field(was), field(now));
+}
+
+}  // namespace
+
 text::Document edited_sensors(const text::Document& base, const Sensors& sensors, const Rig& old, const Rig& rig,
                               Written& written) {
   text::Document document = base;
@@ -177,6 +202,8 @@ text::Document edited_sensors(const text::Document& base, const Sensors& sensors
   schema::edit(document, kSensorOfCameras, *sensors.cameras, {kSensors, before}, {kSensors, after}, written);
   if (sensors.imu != nullptr && !rig.imus.empty())
     schema::edit(document, kSensorOfImu, *sensors.imu, {kSensors, before}, {kSensors, after}, written);
+  if (const std::optional<Transform> now = framed.resolve(schema::kImu, kBody); body != nullptr && now)
+    edit_body(document, sensors, *body, *now);
   return document;
 }
 

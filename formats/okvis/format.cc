@@ -20,6 +20,7 @@
 #include "table.h"
 
 #include <fca/code.h>
+#include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
@@ -67,13 +68,15 @@ std::vector<std::string> programs_of(const text::Document& document, const Rig& 
   if (eucm) return {"okvis2-x"};
   if (fresh) return {"okvis2", "okvis2-x"};
   if (is_first_generation(document)) return {"okvis"};
-  return {says_camera_models(document) ? "okvis2-x" : "okvis2"};
+  if (says_camera_models(document)) return {"okvis2-x", "okvis2"};
+  return {"okvis2"};
 }
 
 /// What stands beside the rig's noise in other files.
 void list_imu_rate(const Rig& rig, const Message& why, std::vector<Loss>& losses) {
   if (rig.imus.empty() || !rig.imus.front().rate_hz) return;
-  losses.push_back(lost(Code::kNotCarriedValue, rig.imus.front().name, "rate", {why, *rig.imus.front().rate_hz}));
+  losses.push_back(
+      lost(Code::kNotCarriedValue, rig.imus.front().name, "rate", {why, text::format_short(*rig.imus.front().rate_hz)}));
 }
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,

@@ -57,6 +57,23 @@ bool is_line_of_numbers(std::string_view line) {
   return numbers != words.end() && std::all_of(numbers, words.end(), is_number);
 }
 
+/// Five numbers or more, with commas, semicolons or blanks between them: a row of a table of rays.
+bool is_row_of_table(std::string_view line) {
+  std::string blank(line);
+  std::ranges::replace_if(
+      blank, [](char c) { return c == ',' || c == ';'; }, ' ');
+  constexpr std::size_t kFewest = 5;
+  const std::vector<std::string_view> words = words_of(blank);
+  return words.size() >= kFewest && std::ranges::all_of(words, is_number);
+}
+
+/// Rows alone, or below a line that names their columns, whatever the file's name.
+bool begins_as_table(std::span<const std::string_view> lines) {
+  if (lines.empty()) return false;
+  const bool may_name_columns = lines[0].find_first_of(":[{(=<-") == std::string_view::npos;
+  return is_row_of_table(lines[0]) || (lines.size() > 1 && may_name_columns && is_row_of_table(lines[1]));
+}
+
 bool can_begin_yaml(std::string_view line) {
   const std::string_view first = words_of(line).front();
   if (first == "-" || first == "?" || first == "---" || std::string_view("\"'{[!&*|>").find(first[0]) != std::string_view::npos)
@@ -109,8 +126,8 @@ bool is_print_of_realsense(std::string_view text) {
   if (text.find("(rs2_intrinsics {") != std::string_view::npos) return true;
   constexpr std::string_view kHead = "Intrinsic of \"";
   for (std::size_t at = text.find(kHead); at != std::string_view::npos; at = text.find(kHead, at + 1)) {
-    const std::size_t line = text.rfind('\n', at) + 1;  // 0 of npos
-    if (text.substr(line, at - line).find_first_not_of(kBlanks) == std::string_view::npos) return true;
+    const std::size_t before = text.substr(0, at).find_last_not_of(" \t");
+    if (before == std::string_view::npos || text[before] == '\n') return true;
   }
   return false;
 }
@@ -149,7 +166,7 @@ Syntax choose_syntax(const Source& source) {
   if (is_print_of_realsense(text)) return Syntax::kWords;
   const std::vector<std::string_view> lines = first_lines(text, 2);
   if (!lines.empty() && is_line_of_numbers(lines.front())) return Syntax::kWords;
-  if (begins_as_ini(lines)) return Syntax::kWords;
+  if (begins_as_table(lines) || begins_as_ini(lines)) return Syntax::kWords;
   if (!lines.empty() && can_begin_yaml(lines.front())) return Syntax::kYaml;
   if (named_as_yaml(source)) return Syntax::kYaml;
   const std::string extension = extension_of(source);

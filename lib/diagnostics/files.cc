@@ -106,6 +106,8 @@ std::span<const CodeInfo> file_codes() {
       // A table of rays.
       error(Code::kRaysWrongSyntax, "wrong-syntax", "a table of rays has lines of numbers: u v x y z"),
       error(Code::kTooFewRays, "too-few-rays", "there are {0} rays; at least {1} are wanted"),
+      error(Code::kLensWithoutTable, "rays-without-centre",
+            "{0}: these numbers are no lens that sees: its axis has no pixel, or fewer than {1} rays reach the image"),
       error(Code::kRaysWithoutCentre, "rays-without-centre",
             "the rays nearest to the axis (x = y = 0, z > 0) determine no focal length and principal point",
             "rays are x right, y down, z forward; are the columns u v x y z?"),

@@ -18,6 +18,12 @@ const Camera* Rig::find_camera(std::string_view name) const {
   return found == cameras.end() ? nullptr : &*found;
 }
 
+std::string Rig::unused_name(const std::string& name) const {
+  std::string unused = name;
+  for (int i = 2; find_camera(unused) != nullptr; ++i) unused = name + "_" + std::to_string(i);
+  return unused;
+}
+
 const ExtraField* Rig::find_extra_field(std::string_view owner, std::string_view key) const {
   const auto found =
       std::ranges::find_if(extra_fields, [&](const ExtraField& field) { return field.owner == owner && field.key == key; });

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fca/rig/rotation.h>
 #include <fca/rig/stereo_pair.h>
 
 #include <fca/rig/rotation.h>

@@ -65,5 +65,35 @@ TEST(KeptBytes, AnInputWithoutAPairsPoseHasNoPlaceInOne) {
   }
 }
 
+/// CAHVOR, of which rays alone are known.
+const std::string kOwnLens =
+    "{\n    'lensmodel': 'LENSMODEL_CAHVOR',\n    'intrinsics': [600, 605, 502, 397, 0.01, -0.02, 0.003, 0.04, -0.01],\n"
+    "    'rt_cam_ref': [0, 0, 0, 0.5, 0, 0],\n    'extrinsics': [0, 0, 0, 0.5, 0, 0],\n    'imagersize': [1000, 800]\n}\n";
+
+TEST(KeptBytes, ALensOfMrcalsOwnStaysInItsOwnFormat) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("own.cameramodel", kOwnLens);
+  const RunResult run = run_program({"convert", path, "--to", "mrcal"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, kOwnLens);
+  const RunResult resized = run_program({"convert", path, "--to", "mrcal", "--resize", "500x400"});
+  ASSERT_EQ(resized.code, 0) << resized.err;
+  EXPECT_TRUE(rig_in(resized.out).cameras.at(0).rays.empty());
+  EXPECT_EQ(rig_in(resized.out).cameras.at(0).image_size, (ImageSize{500, 400}));
+}
+
+TEST(KeptBytes, ATableOfRaysIsReadUnderAnyName) {
+  std::string table = "# u,v,x,y,z\n";
+  for (int i = 0; i < 40; ++i)
+    table += std::to_string(40 * (i % 8)) + "," + std::to_string(40 * (i / 8)) + "," + std::to_string(0.1 * (i % 8 - 4)) + "," +
+             std::to_string(0.1 * (i / 8 - 2)) + ",1\n";
+  for (const char* header : {"# u,v,x,y,z\n", "u,v,x,y,z\n", "\"U\",\"V\",\"X\",\"Y\",\"Z\"\n"}) {
+    const std::string bytes = header + table.substr(table.find('\n') + 1);
+    const RunResult run = run_program({"show", "-", "--size", "320x200"}, {.input = bytes});
+    EXPECT_EQ(run.code, 0) << header << run.err;
+    EXPECT_TRUE(contains(run.out, "table of rays")) << run.out;
+  }
+}
+
 }  // namespace
 }  // namespace fca::test

@@ -279,7 +279,11 @@ std::vector<const Format*> formats() {
   return result;
 }
 
-std::string name_of(const testing::TestParamInfo<const Format*>& format) { return std::string(format.param->id); }
+std::string name_of(const testing::TestParamInfo<const Format*>& format) {
+  std::string name(format.param->id);
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
 
 INSTANTIATE_TEST_SUITE_P(From, Ledger, testing::ValuesIn(formats()), name_of);
 

@@ -15,7 +15,7 @@ TEST(ReadOnly, NoneIsATarget) {
   for (const char* id : {"depthai", "openicc", "zed", "realsense"}) {
     const RunResult run = run_program({"convert", testdata("formats/kalibr/good/ds.yaml"), "--to", id});
     EXPECT_EQ(run.code, 3) << id;
-    EXPECT_TRUE(contains(run.err, "does not write them") && contains(run.err, "kalibr")) << run.err;
+    EXPECT_TRUE(contains(run.err, "does not write it") && contains(run.err, "kalibr")) << run.err;
     EXPECT_TRUE(contains(run_program({"formats"}).out, id));
   }
   const RunResult none = run_program({"convert", kOak});

@@ -29,6 +29,11 @@ std::optional<Base> base_at(const fs::path& path) {
   return Base{path.string(), parsed.source.bytes, *std::move(calibration)};
 }
 
+/// SVO's flat files are read, and written anew in today's keys.
+bool is_replaced(const Base& base) {
+  return base.calibration.format->id == "ncamera" && base.bytes.find("cam_model") != std::string::npos;
+}
+
 /// The good files of testdata, and the readable ones of the corpus where there is one.
 std::vector<Base> all_bases() {
   std::vector<fs::path> paths = files_of_all_formats("good");
@@ -39,7 +44,7 @@ std::vector<Base> all_bases() {
   std::vector<Base> bases;
   for (const fs::path& path : paths) {
     std::optional<Base> base = base_at(path);
-    if (base && base->calibration.format->is_written()) bases.push_back(*std::move(base));
+    if (base && base->calibration.format->is_written() && !is_replaced(*base)) bases.push_back(*std::move(base));
   }
   return bases;
 }
@@ -161,7 +166,8 @@ bool others_follow(const Base& base, const ModelInfo& model, const Parameter& pa
   const bool has_baseline = base.calibration.rig.baseline_m.has_value();
   if (base.calibration.format->id == "stella" && has_baseline && parameter.name == "fx") return true;
   if (base.calibration.format->id == "vins" && model.id == "ocamcalib") return parameter.name != "cx" && parameter.name != "cy";
-  return base.calibration.format->id == "ocamcalib" && parameter.name.starts_with('a');
+  const bool has_inverse = base.calibration.format->id == "ocamcalib" || base.calibration.format->id == "ncamera";
+  return has_inverse && model.id == "ocamcalib" && parameter.name.starts_with('a');
 }
 
 /// COLMAP's simpler models have one focal length and fewer coefficients: the line gets another model. A transforms.json may
@@ -184,6 +190,7 @@ TEST(EditProperty, OneParameterChangesItsOwnNumberOnly) {
   int edits = 0;
   for (const Base& base : all_bases()) {
     for (std::size_t c = 0; c < base.calibration.rig.cameras.size(); ++c) {
+      if (!base.calibration.rig.cameras[c].rays.empty()) continue;  // what its numbers are, only the program knows
       const ModelInfo& info = model_info(base.calibration.rig.cameras[c].model);
       for (std::size_t p = 0; p < info.parameters.size(); ++p) {
         if (is_sanitized() && (p + c) % 3 != 0) continue;  // of the code that runs a third shows all
@@ -239,7 +246,9 @@ TEST(EditProperty, OneElementOfAPoseChangesItsOwnNumberOnly) {
         if ((of_rotation && stores_no_matrix(base)) || has_no_number(base, base.calibration.rig.poses[p], element)) continue;
         Rig rig = base.calibration.rig;
         double& value = rig.poses[p].T_a_b(element / 4, element % 4);
+        const double before = value;
         value = storable(base, value + shift(random));
+        if (value == before) continue;
         SCOPED_TRACE(base.name + ": " + rig.poses[p].a + " " + rig.poses[p].b + " " + std::to_string(element));
         const std::optional<Calibration> back = read_back(base, written_over(base, rig));
         if (!back) continue;

@@ -55,7 +55,7 @@ TEST(Okvis, PosesTakePointsOfTheCameraToTheImu) {
 // t_imu = t_cam - image_delay.
 TEST(Okvis, ADelayIsATimeOffsetTurnedRound) {
   for (const Camera& camera : calibration_of(good("pair.yaml")).rig.cameras) EXPECT_EQ(camera.time_offset_s, 0.0025);
-  EXPECT_EQ(calibration_of(good("okvis1-crlf.yaml")).rig.cameras[0].time_offset_s, -0.0025);
+  EXPECT_EQ(calibration_of(good("okvis1-crlf.yaml")).rig.cameras[0].time_offset_s, -0.0045);
   Rig rig = sample_rig("radtan", {.two = true, .imu = true});
   for (Camera& camera : rig.cameras) camera.time_offset_s = 0.0125;
   EXPECT_NE(written_by(okvis(), nullptr, rig).files.front().document.bytes().find("    image_delay: -0.0125\n"),
@@ -139,7 +139,7 @@ TEST(Okvis, RatesAndTopicsAreLost) {
   rig.imus.front().rate_hz = 250.0;
   rig.cameras[1].frame_rate_hz = 25.0;
   const Written written = written_by(okvis(), nullptr, rig);
-  EXPECT_TRUE(loses(written, Code::kNotCarriedValue, {"imu0", "rate", 250.0}));
+  EXPECT_TRUE(loses(written, Code::kNotCarriedValue, {"imu0", "rate", "250"}));
   EXPECT_TRUE(loses(written, Code::kFrameRateDropped, {"cam1", 25.0}));
 }
 
@@ -183,7 +183,7 @@ TEST(Okvis, AnEditChangesOneNumberAndNoOtherByte) {
                       for (Camera& camera : rig.cameras) camera.time_offset_s = 0.0035;
                     }),
             Pair("2", "3"));
-  EXPECT_EQ(changed("okvis1-crlf.yaml", [](Rig& rig) { rig.cameras[0].time_offset_s = -0.0035; }), Pair("2", "3"));
+  EXPECT_EQ(changed("okvis1-crlf.yaml", [](Rig& rig) { rig.cameras[0].time_offset_s = -0.0035; }), Pair("4", "3"));
   EXPECT_EQ(changed("okvis1-crlf.yaml", [](Rig& rig) { rig.cameras[0].frame_rate_hz = 75.0; }), Pair("2", "7"));
   EXPECT_EQ(changed("okvis1-crlf.yaml", [](Rig& rig) { rig.imus[0].rate_hz = 750.0; }), Pair("2", "7"));
   EXPECT_EQ(changed("okvis2-x.yaml", [](Rig& rig) { set_parameter(rig.cameras[1].model, "alpha", 0.5675); }), Pair("2", "7"));

@@ -5,6 +5,7 @@
 #include "corpus_folders.h"
 
 #include <fca/formats/calibration.h>
+#include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/formats/text/render.h>
 #include <fca/formats/wording.h>
@@ -138,11 +139,15 @@ inline std::vector<const text::Node*> scalars_of(const text::Document& document)
   return scalars;
 }
 
-/// Numbers are parts of words, "fx=700.5" or "640,", and no word of the document is one.
+/// Numbers are parts of words, "fx=700.5" or "640,", or of whole lines, as KITTI's are, and hardly one stands alone.
 inline bool has_numbers_inside_words(const text::Document& document) {
   const std::string& bytes = document.source().bytes;
-  return document.syntax() == text::Syntax::kWords &&
-         (bytes.find("\nfx=") != std::string::npos || bytes.find("rs2_intrinsics") != std::string::npos);
+  const bool is_of_words = document.syntax() == text::Syntax::kWords &&
+                           (bytes.find("\nfx=") != std::string::npos || bytes.find("rs2_intrinsics") != std::string::npos);
+  constexpr int kFew = 3;
+  return is_of_words || std::ranges::count_if(scalars_of(document), [](const text::Node* scalar) {
+                          return text::parse_real(scalar->value).has_value();
+                        }) <= kFew;
 }
 
 /// The node under "cam0/intrinsics/2": keys of mappings (the first of that name) and indices of sequences.

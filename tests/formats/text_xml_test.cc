@@ -147,8 +147,8 @@ TEST(TextXml, WhatIsWrongAndWhere) {
       {storage("<a>1 < 2</a>"), "3:6 xml-syntax", {Code::kXmlTagOpen}},
       {storage("<a b=c>1</a>"), "3:1 xml-syntax", {Code::kXmlAttribute}},
       {storage("<a>1 <b>2</b></a>"), "3:2 xml-mixed", {Code::kXmlMixed, {"a"}}},
-      {"<calibration><f>1</f></calibration>", "1:2 xml-root", {Code::kXmlRoot, {"calibration"}}},
-      {"\xEF\xBB\xBF<calibration><f>1</f></calibration>", "1:2 xml-root", {Code::kXmlRoot, {"calibration"}}},
+      {"<lens><f>1</f></lens>", "1:2 xml-root", {Code::kXmlRoot, {"lens"}}},
+      {"\xEF\xBB\xBF<lens><f>1</f></lens>", "1:2 xml-root", {Code::kXmlRoot, {"lens"}}},
       {"opencv_storage>\n<a>1</a>", "1:1 xml-syntax", {Code::kXmlTextOutside}},
   };
   for (const Row& row : kRows) {

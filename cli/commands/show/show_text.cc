@@ -37,11 +37,15 @@ std::string rays_text(const Camera& camera) {
   std::string text = "\n" + camera.name + ": " + std::string(camera.lens_title()) + "\n";
   text += "  rays     " + std::to_string(camera.rays.size()) + ", up to " + angle_in_words(furthest * kDegreesPerRadian) + "\n";
   const Pixel centre = principal_point(camera.model);
-  return text + "  axis     at about (" + text::format_short(centre[0], 5) + ", " + text::format_short(centre[1], 5) + ") px\n";
+  return text + "  axis     at about (" + text::format_short(centre[0], 5) + ", " + text::format_short(centre[1], 5) +
+         ") px\n" +
+         (camera.image_size ? "  image    " + std::to_string(camera.image_size->width) + " x " +
+                                  std::to_string(camera.image_size->height) + " px\n"
+                            : "");
 }
 
-std::string camera_text(const Camera& camera, std::span<const ExtraField> extras, double limit_deg) {
-  if (!camera.rays.empty()) return rays_text(camera);
+/// What the model and the image size say.
+std::string model_text(const Camera& camera, double limit_deg) {
   const ModelInfo& model = model_info(camera.model);
   std::string text = "\n" + camera.name + ": " + std::string(model.title) + " (" + std::string(model.id) + ")\n";
   const std::vector<std::string> elsewhere = names_elsewhere(model.id);
@@ -62,6 +66,11 @@ std::string camera_text(const Camera& camera, std::span<const ExtraField> extras
           (validate(camera.model).empty() ? "valid up to " + angle_in_words(max_angle(camera.model) * kDegreesPerRadian)
                                           : enumerated(text::texts_of(validate(camera.model), with_options))) +
           "\n";
+  return text;
+}
+
+std::string camera_text(const Camera& camera, std::span<const ExtraField> extras, double limit_deg) {
+  std::string text = camera.rays.empty() ? model_text(camera, limit_deg) : rays_text(camera);
   if (camera.time_offset_s) text += "  time     t_imu = t_cam " + signed_in_words(*camera.time_offset_s) + " s\n";
   if (camera.frame_rate_hz) text += "  rate     " + text::format_short(*camera.frame_rate_hz) + " Hz\n";
   if (!camera.topic.empty()) text += "  topic    " + camera.topic + "\n";

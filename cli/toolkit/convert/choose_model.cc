@@ -81,6 +81,7 @@ bool keeps(const Camera& camera, const StoredModel& stored, const ModelChoice& c
 
 std::optional<ConvertedCamera> convert_one(const Camera& camera, const StoredModel& stored, const ModelChoice& choice,
                                            Diagnostics& diagnostics) {
+  if (!camera.rays.empty() && stored.model == camera.lens_id()) return ConvertedCamera{camera, camera, std::nullopt};
   if (keeps(camera, stored, choice) && !camera.image_size && validate(camera.model).empty())
     return ConvertedCamera{camera, camera, std::nullopt};
   ConvertOptions options = options_for(stored, choice);
@@ -147,6 +148,7 @@ std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, 
     if ((may_be_kept(stored, choice) || choice.same_format) && keeps(camera, stored, choice)) return stored;
   }
   const std::string_view model = camera.lens_id();
+  if (!camera.rays.empty() && !choice.request.inputs.change.changes_nothing()) return std::nullopt;
   if (!choice.same_format || find_stored_model(format, model, false) != nullptr) return std::nullopt;
   StoredModel as_read;
   as_read.model = model;
@@ -254,9 +256,11 @@ std::optional<std::vector<ConvertedCamera>> all_cameras(const std::vector<Camera
   // What a program holds in one type for all cameras is chosen for all; else each that can keeps its own, and the others take
   // one.
   std::vector<Camera> to_fit;
+  std::vector<bool> is_fitted(cameras.size());
   const std::span<const Camera> used = std::span(cameras).first(std::min(cameras.size(), choice.most_cameras));
-  for (const Camera& camera : used) {
-    if (format.one_model || !kept_row(camera, format, choice)) to_fit.push_back(camera);
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    is_fitted[i] = format.one_model || !kept_row(used[i], format, choice);
+    if (is_fitted[i]) to_fit.push_back(used[i]);
   }
   std::optional<std::vector<ConvertedCamera>> fitted = std::vector<ConvertedCamera>();
   if (!to_fit.empty()) fitted = common_model(to_fit, format, choice, diagnostics);
@@ -267,7 +271,7 @@ std::optional<std::vector<ConvertedCamera>> all_cameras(const std::vector<Camera
     const Camera& camera = cameras[i];
     if (i >= used.size()) {
       outcomes.push_back({camera, camera, std::nullopt});
-    } else if (next != fitted->end() && next->source.name == camera.name) {
+    } else if (is_fitted[i]) {
       outcomes.push_back(*next++);
     } else {
       std::optional<std::vector<ConvertedCamera>> kept =

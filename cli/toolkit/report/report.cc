@@ -78,6 +78,12 @@ ReportResult report(const ReportRequest& request, Files& files) {
     return result;
   }
   const std::vector<Camera>& cameras = result.reading.calibration->rig.cameras;
+  for (const Camera& camera : cameras) {
+    if (camera.rays.empty()) continue;
+    result.reading.diagnostics.add(Code::kOnlyRaysKnown, {camera.name}, {inputs.files.front(), 0, 0});
+    result.status = Status::kBadInput;
+    return result;
+  }
   if ((conversion.model != nullptr || request.every_model) && cameras.empty()) {
     result.reading.diagnostics.add(Code::kFileWithoutCamera, {inputs.files.front()});
     result.status = Status::kBadInput;

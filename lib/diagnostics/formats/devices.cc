@@ -38,6 +38,9 @@ std::span<const CodeInfo> device_codes() {
            "TY and TZ ({0} and {1} mm) are read as Stereolabs' calibration tool writes them: where the left camera is, in the "
            "right "
            "one. Readers of the file differ about their sign"),
+      warning(Code::kNcoreGlass, "lens-in-doubt",
+              "{0} looks through a windshield that bends its rays (external_distortion), and fca-io reads the lens without it",
+              "measure the pixels of rays with NCore's own code, windshield included, and read them as a table of rays"),
       note(Code::kRealsenseInverseModel, "lens-in-doubt",
            "{0} says {1} with coefficients that are not 0. It is read as Brown Conrady from ray to pixel, as "
            "today's librealsense and its ROS driver do; older versions took it from pixel to ray"),
@@ -47,6 +50,8 @@ std::span<const CodeInfo> device_codes() {
               "the block from {0} to {1} is not read: it contradicts the others by {2:.3} m. librealsense prints that of "
               "Infrared 1 in its place",
               "nothing, if the pose of Infrared 2 to Infrared 1 is that of the device; else ask a newer librealsense"),
+      note(Code::kRealsenseDepthIsInfrared, "camera-left-out",
+           "{0} is left out: it has the lens and the place of {1}, from whose images it is computed"),
       clause(Code::kRealsenseFound, "Intrinsic of a stream, as rs-enumerate-devices -c prints it"),
   };
   return kRows;

@@ -13,9 +13,6 @@ std::span<const CodeInfo> table_codes() {
       error(Code::kTableWrongSyntax, "wrong-syntax", "the file does not hold keys and values"),
       error(Code::kTableNoObject, "not-a-mapping", "{0} is no mapping of keys and values"),
       error(Code::kTableNoCameraList, "not-a-list", "{0} is no list of cameras"),
-      error(Code::kTableNoList, "not-a-list", "{0} is no list of {1} items, one for each camera"),
-      error(Code::kTableItemCount, "wrong-length", "{0} has {1} items, and there are {2} cameras"),
-      error(Code::kTableUnknownModel, "unknown-model", "{0}: there is no camera model '{1}'"),
       error(Code::kTableUnknownLens, "unknown-model", "{0}: there is no camera_model '{1}' with distortion_model '{2}'",
             "pinhole with radial-tangential, equidistant or none"),
       // {2}: the words that are known.

@@ -410,6 +410,7 @@ enum class Code : std::uint16_t {
   kRaysWrongSyntax,
   kTooFewRays,
   kRaysWithoutCentre,
+  kLensWithoutTable,
   kRayWithoutDirection,
   kPixelOutOfRange,
   kNotWrittenBecause,
@@ -690,9 +691,6 @@ enum class Code : std::uint16_t {
   kTableWrongSyntax,
   kTableNoObject,
   kTableNoCameraList,
-  kTableNoList,
-  kTableItemCount,
-  kTableUnknownModel,
   kTableUnknownLens,
   kTableUnknownWord,
   kTableCoefficientCount,
@@ -735,7 +733,9 @@ enum class Code : std::uint16_t {
   kRealsenseInverseModel,
   kRealsenseBlocksDiffer,
   kRealsenseCopiedBlock,
+  kRealsenseDepthIsInfrared,
   kRealsenseFound,
+  kNcoreGlass,
 
   // A file for each sensor, as EuRoC and Kimera have them, read and written.
   kEurocFisheye,

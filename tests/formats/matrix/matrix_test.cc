@@ -409,7 +409,9 @@ class Matrix {
 
   static void check(const Source& source, const SourceView& view, const Converted& converted, const Format& to,
                     const FormatReader& target, Poses poses, Cell& cell) {
-    EXPECT_EQ(converted.run.code, 0) << converted.run.err << "\n" << errors_of(converted.run.out);
+    // SVO projects by twelve coefficients of an inverse polynomial, which are not enough for such a lens: it is not written.
+    const bool is_refused = source.format == "colmap" && to.id == "ncamera" && source.name() == "aria.txt";
+    EXPECT_EQ(converted.run.code, is_refused ? 1 : 0) << converted.run.err << "\n" << errors_of(converted.run.out);
     if (converted.run.code != 0) return;
     EXPECT_FALSE(converted.cameras.empty());
     EXPECT_LE(converted.cameras.size(), std::min(view.cameras.size(), to.most_cameras));
@@ -423,8 +425,9 @@ class Matrix {
     std::vector<std::string> files;
     for (const Converted::Output& output : converted.outputs) files.push_back(output.bytes);
     const std::vector<Pose> written = target.relative_poses(files);
-    // More than two mei cameras are OpenCV files of one camera each, without a pose to another.
-    const bool apart = count > 2 && converted.outputs.size() == count;
+    // More than two mei cameras are OpenCV files of one camera each, without a pose to another, and so are two of two kinds.
+    const bool is_of_kinds = source.format == "ncamera" && to.id == "opencv";
+    const bool apart = (count > 2 || is_of_kinds) && converted.outputs.size() == count;
     const bool may_be_missing = (poses == Poses::kKeptOrSaidLost || apart) && converted.says_pose_is_lost();
     EXPECT_TRUE(!written.empty() || may_be_missing) << "the source has a pose between its cameras, the target none";
     for (const Pose& pose : written) {
@@ -496,7 +499,11 @@ std::vector<const Format*> formats() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, MatrixFrom, testing::ValuesIn(formats()),
-                         [](const testing::TestParamInfo<const Format*>& format) { return std::string(format.param->id); });
+                         [](const testing::TestParamInfo<const Format*>& format) {
+                           std::string name(format.param->id);
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
 
 Source own(const std::string& format, const std::string& name) {
   return {format, {fs::path(FCA_TESTDATA_DIR) / "formats" / format / "good" / name}};

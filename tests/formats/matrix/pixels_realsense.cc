@@ -6,6 +6,7 @@
 
 #include "opencv_lens.h"
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -113,7 +114,15 @@ Device printed(const std::string& bytes) {
 }
 
 Device device_of(const std::string& bytes) {
-  return bytes.find("rs2_intrinsics") != std::string::npos ? rust(bytes) : printed(bytes);
+  Device device = bytes.find("rs2_intrinsics") != std::string::npos ? rust(bytes) : printed(bytes);
+  // Images of depth are computed from those of Infrared 1, and are no camera of their own.
+  const auto infrared = std::ranges::find_if(device.streams, [](const Stream& stream) { return stream.name == "Infrared 1"; });
+  if (infrared != device.streams.end()) {
+    const Stream lens = *infrared;
+    std::erase_if(device.streams,
+                  [&lens](const Stream& stream) { return stream.name == "Depth" && stream.values == lens.values; });
+  }
+  return device;
 }
 
 }  // namespace

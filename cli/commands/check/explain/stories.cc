@@ -154,6 +154,10 @@ case, or exchanged with its neighbour. Digits are no letters. Or a block holds a
     Story{"left-handed",
           "det R = -1. No motion turns a camera into its mirror image: a sign is wrong, or two rows are exchanged."},
     Story{
+        "lens-in-doubt",
+        R"(The same numbers can be read as two lenses: by the zeros behind them, or by a name that programs take in two ways. fca-io
+reads them as the named program does today. Compare it with another calibration of the camera: fca-io compare A B.)"},
+    Story{
         "lost",
         R"(The target's program uses the fact (a time offset, an IMU's misalignment, a pose), and the target's files have no place
 for it. The report says of each what can be done about it.)"},
@@ -217,6 +221,8 @@ A quaternion must have length 1.)"},
           R"(A number or a list stands where a name is read. Quotes make text of what looks like a number: "1.0".)"},
     Story{"not-a-transform", "If the last column is 0 0 0 1, the matrix is transposed."},
     Story{"not-an-integer", "A count of pixels or frames per second is wanted."},
+    Story{"not-calibrated",
+          "A device that was never calibrated holds zeros for its lens. They are left out: calibrate it, or read it out anew."},
     Story{"not-finite", "NaN and infinity are what a calibration leaves that did not converge."},
     Story{"not-in-pixels",
           "rho = k1 theta + ... in pixels: k1 is 200 to 600. Normalised Kannala-Brandt coefficients (0.18) stand there in "
@@ -245,6 +251,10 @@ of a wide lens inside the inscribed circle of the image: up to 0.25 px rms and 1
 to be used. What goes wrong is the model that was fitted, or numbers that the program takes otherwise.)"},
     Story{"polynomial-sign",
           "OCamCalib's camera looks along -z: f(0) = a0 < 0, some -200 to -2000 px. A positive one is another toolbox's sign."},
+    Story{
+        "pose-doubtful",
+        R"(Some devices print a pose twice with other numbers, or in a direction on which their readers do not agree. fca-io says
+how it read it; measure the distance on the device before you rely on its sign.)"},
     Story{"pose-implausible",
           "WoodScape's frame stands on the ground: x ahead, y left, z up. Cameras of a car are 0.4 to 1.5 m above it."},
     Story{"pose-inverted",
@@ -286,6 +296,7 @@ centre of 0.5 px cannot be told from that.)"},
           "A ROS 2 launch file passes /**: ros__parameters: ... to a node. Kalibr and others read a calibration at the top of "
           "a file."},
     Story{"size-contradicts", "--size tells what a file does not say. This one says otherwise."},
+    Story{"size-needed", "A device's memory has a lens for each resolution. --size WxH chooses that of the recorded images."},
     Story{
         "size-swapped",
         R"(The principal point is within a tenth of the middle of the image turned by 90 deg, and a fifth away from the middle of

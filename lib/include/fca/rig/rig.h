@@ -97,6 +97,8 @@ struct Rig {
   /// Baseline of a rectified stereo pair or of an RGB-D sensor's virtual second camera, where the file states only that [m].
   std::optional<double> baseline_m;
 
+  /// `name`, or with "_2", "_3", ... behind it where a camera is called so.
+  [[nodiscard]] std::string unused_name(const std::string& name) const;
   [[nodiscard]] const Camera* find_camera(std::string_view name) const;
   /// The first field of that owner ("": none) with that key; null if there is none.
   [[nodiscard]] const ExtraField* find_extra_field(std::string_view owner, std::string_view key) const;
