@@ -95,6 +95,8 @@ class PrintReader {
     keep_motion(rig);
     if (!read_poses(rig)) return false;
     leave_out_depth(rig);
+    // The stereo pair comes first.
+    std::ranges::stable_partition(rig.cameras, [](const Camera& camera) { return camera.name.starts_with("Infrared"); });
     return true;
   }
 

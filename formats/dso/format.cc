@@ -25,6 +25,7 @@ constexpr std::array kModels = {
     StoredModel{"pinhole", "Pinhole", true, kProgram, {}},
 };
 constexpr std::array<std::string_view, 1> kRectified = {"DSO's rectified image"};
+constexpr std::array kDemands = {Demand{"DSO's rectified image (lines 3 and 4)", "(line "}};
 constexpr std::array kOwnFacts = {OwnFact{kRectified.front(), kRectified}};
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& /*options*/, Diagnostics& diagnostics) {
@@ -112,6 +113,7 @@ const Format kFormat = {
     .imu = false,
     .image_size = true,
     .own_facts = kOwnFacts,
+    .demands = kDemands,
     .models = kModels,
     .probe = probe,
     .layout_holds = layout_holds,

@@ -239,8 +239,6 @@ constexpr std::array kDemands = {
     Demand{"pose in the IMU", "T_B_C"},
     Demand{"a label and ids", "label"},
     Demand{"a label and ids", "id"},
-    Demand{"IMU noise", "IMU sigma_", &Format::imu, &Format::needs_imu},
-    Demand{"IMU rate", "IMU imu_rate", &Format::imu, &Format::needs_imu},
     Demand{"SVO's tuning", "tuning (", &Format::imu},
     Demand{.name = "inverse polynomial (fitted)", .key = "inverse polynomial", .of_model = "ocamcalib"},
 };
@@ -260,7 +258,6 @@ const Format kFormat = {
     .imu = true,
     .image_size = true,
     .time_offset = true,
-    .topic = true,
     .own_facts = kOwnFacts,
     .demands = kDemands,
     .of_the_images = kOfTheImages,

@@ -138,7 +138,9 @@ constexpr std::array kOwnFacts = {OwnFact{"tuning, LiDAR and GNSS"}};
 constexpr std::array kDemands = {
     Demand{"pose in the IMU", "T_SC"},
     Demand{"IMU noise", "sigma_g_c", nullptr, &Format::needs_imu},
+    Demand{"IMU noise", "sigma_a_c", nullptr, &Format::needs_imu},
     Demand{"IMU random walks", "sigma_gw_c", nullptr, &Format::needs_imu},
+    Demand{"IMU random walks", "sigma_aw_c", nullptr, &Format::needs_imu},
     Demand{"synchronised cameras", "sync_cameras"},
     Demand{"colour", "camera_type"},
     Demand{"use in SLAM", "slam_use"},

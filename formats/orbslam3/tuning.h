@@ -86,6 +86,8 @@ class Tuning {
   /// What the input states of the columns that both cameras see, as those of other cameras: `from` tells for the first and the
   /// second which of the input's it is; nothing where its images are others, and their columns are forgotten.
   void move_overlap(const std::array<std::optional<std::size_t>, 2>& from);
+  /// What another program's file states in its own words.
+  void take(const TuningKey& key, double value) { stated_.emplace(key.key, value); }
   /// The value that the input states.
   [[nodiscard]] std::optional<double> stated(const TuningKey& key) const;
   /// The key as that style spells it, with the input's value, else with `otherwise`, else with upstream's.

@@ -280,6 +280,13 @@ bool check_rates(const Rig& rig, const Target& target, Diagnostics& diagnostics)
   return false;
 }
 
+/// As stella_vslam says it; of gray images it says nothing that matters.
+std::optional<double> colour_order_of(const Rig& rig) {
+  const ExtraField* order = rig.find_extra_field("", "Camera.color_order");
+  if (order == nullptr) return std::nullopt;
+  return order->value.find("BGR") == std::string::npos ? 1.0 : 0.0;
+}
+
 /// What is to be written; `next`: a clause on what a richer mode lacks.
 std::optional<Target> choose_target(const Rig& rig, const Base* base, const WriteOptions& options, std::vector<Message>& next,
                                     Diagnostics& diagnostics) {
@@ -307,6 +314,7 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
     if (!leaves_inertial && (options.sensor.empty() || target.sensor.inertial)) target.imu_pose_key = base->target.imu_pose_key;
   }
   if (!check_rates(rig, target, diagnostics)) return std::nullopt;
+  if (const std::optional<double> order = colour_order_of(rig)) target.tuning.take(tuning_key::kColourOrder, *order);
   return target;
 }
 

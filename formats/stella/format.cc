@@ -66,6 +66,7 @@ const Format kFormat = {
     .image_size = true,
     .frame_rate = true,
     .baseline = true,
+    .frame = "rectified",
     .own_facts = kOwnFacts,
     .demands = kDemands,
     .of_the_images = kOfTheImages,

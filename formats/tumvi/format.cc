@@ -33,8 +33,7 @@ constexpr std::array kModels = {
 
 constexpr std::array<std::string_view, 1> kOfTheImages = {"line_delay"};
 constexpr std::array kOfCameras = {kalibr::kOverlaps};
-constexpr std::array<std::string_view, 1> kOfDso = {"DSO's rectified image"};
-constexpr std::array kOwnFacts = {OwnFact{"keys of its own (cam_overlaps)"}, OwnFact{kOfDso.front(), kOfDso}};
+constexpr std::array kOwnFacts = {OwnFact{"keys of its own (cam_overlaps)"}};
 constexpr std::array kDemands = {Demand{"IMU topic", "rostopic", &Format::imu}};
 
 /// A chain is Kalibr's, and says so, and a camera.txt is DSO's.

@@ -32,6 +32,14 @@ double seen_share(const Camera& from, const Camera& to, const Transform& T_to_fr
   return asked > 0 ? static_cast<double>(seen) / asked : 0.0;
 }
 
+/// Two cameras of one lens, not turned: made to be a pair.
+bool are_rectified(const Rig& rig, const Camera& a, const Camera& b) {
+  const std::optional<Transform> T_a_b = rig.resolve(a.name, b.name);
+  constexpr double kNotTurned = 1.0 - 1e-9;  // cosine
+  return T_a_b && a.model == b.model && a.image_size == b.image_size && (*T_a_b)(0, 0) > kNotTurned &&
+         (*T_a_b)(1, 1) > kNotTurned;
+}
+
 }  // namespace
 
 std::optional<double> common_view(const Rig& rig, const Camera& a, const Camera& b) {
@@ -49,12 +57,13 @@ bool may_be_stereo(const Rig& rig, const Camera& a, const Camera& b) {
 
 std::optional<std::pair<std::size_t, std::size_t>> stereo_pair(const Rig& rig) {
   std::optional<std::pair<std::size_t, std::size_t>> best;
-  double most = 0.0;
+  std::pair<bool, double> most = {false, 0.0};
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     for (std::size_t j = i + 1; j < rig.cameras.size(); ++j) {
       const double common = common_view(rig, rig.cameras[i], rig.cameras[j]).value_or(0.0);
-      if (common < kLeastInCommon || common <= most) continue;
-      most = common;
+      const std::pair merit = {are_rectified(rig, rig.cameras[i], rig.cameras[j]), common};
+      if (common < kLeastInCommon || merit <= most) continue;
+      most = merit;
       best = {i, j};
     }
   }

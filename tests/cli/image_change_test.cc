@@ -38,7 +38,7 @@ TEST(ImageChange, EveryFormatSaysTheNewCameras) {
   for (const char* file :
        {"kalibr/good/tumvi.yaml", "kalibr/good/ds.yaml", "kalibr/good/omni.yaml", "opencv/good/calibration.yml",
         "opencv/good/fisheye.json", "opencv/good/omnidir.xml", "ocamcalib/good/toolbox.txt", "dso/good/equidistant.txt",
-        "dso/good/fov-relative.txt", "orbslam3/good/v1-stereo-inertial.yaml", "orbslam3/good/slam-no-opt-eucm.yaml",
+        "dso/good/radtan-bare.txt", "orbslam3/good/v1-stereo-inertial.yaml", "orbslam3/good/slam-no-opt-eucm.yaml",
         "woodscape/good/front.json"}) {
     SCOPED_TRACE(file);
     const std::string path = testdata(std::string("formats/") + file);

@@ -103,6 +103,14 @@ std::string value_of(const std::string& key, const Format& to) {
   return demand == to.demands.end() ? key : std::string(demand->name);
 }
 
+/// Is it computed for a model that a lens of another one has become? The table tells of those that stay.
+bool is_of_fitted(const std::string& key, const Format& from, const Format& to) {
+  return std::ranges::any_of(to.demands, [&](const Demand& demand) {
+    return !demand.of_model.empty() && to.models.size() > 1 && contains(key, std::string(demand.key)) &&
+           find_stored_model(from, demand.of_model, true) == nullptr;
+  });
+}
+
 /// `condition`: " (k3 != 0)", behind the models' names.
 void convert_into(const Input& input, const Format& from, const Format& to, const std::string& condition, Classes& classes) {
   const TemporaryFolder folder;
@@ -122,6 +130,10 @@ void convert_into(const Input& input, const Format& from, const Format& to, cons
   const std::string poses_are_kept(kept.substr(kept.rfind('}') + 1));
   for (const rapidjson::Value& loss : json["losses"].GetArray()) {
     const std::string what = loss["what"].GetString();
+    // The place in the IMU of a camera that has none: the table is of rigs with one.
+    if (loss["code"] == "pose-dropped" && contains(what, "imu") && to.imu) continue;
+    // Where the mode that keeps it is not asked for, a baseline alone goes.
+    if (loss["code"] == "baseline-dropped" && to.baseline) continue;
     classes.dropped.insert(fact_of(loss["code"].GetString(), what, from, to));
     if (!contains(loss["why"].GetString(), poses_are_kept)) lost += what + "; ";
     if (to.pair_poses && from.many_cameras && contains(what, "_cam2")) classes.dropped.insert(kButForAStereoPair);
@@ -130,9 +142,15 @@ void convert_into(const Input& input, const Format& from, const Format& to, cons
   constexpr std::string_view kInImu = "T_imu0_";
   const std::size_t first = lost.find(kInImu);
   if (first != std::string::npos && lost.find(kInImu, first + 1) != std::string::npos)
-    classes.dropped.insert("poses" + (to.id == "opencv" ? kButForAPair : ""));
-  for (const rapidjson::Value& value : json["defaults"].GetArray())
-    classes.defaulted.insert(value_of(value["key"].GetString(), to));
+    classes.dropped.insert(to.pair_poses ? kButForAStereoPair : "poses" + (to.id == "opencv" ? kButForAPair : ""));
+  // So do those of a pair whose place in the rectified images is told.
+  const std::string in_frame = "T_" + std::string(from.frame) + "(";
+  const std::size_t told = from.frame.empty() ? std::string::npos : lost.find(in_frame);
+  if (from.many_cameras && !to.extrinsics && told != std::string::npos && lost.find(in_frame, told + 1) != std::string::npos)
+    classes.dropped.insert("poses");
+  for (const rapidjson::Value& value : json["defaults"].GetArray()) {
+    if (!is_of_fitted(value["key"].GetString(), from, to)) classes.defaulted.insert(value_of(value["key"].GetString(), to));
+  }
   int files = 0;
   for (const rapidjson::Value& output : json["outputs"].GetArray()) files += output["cameras"].Empty() ? 0 : 1;
   if (files > 1 && std::ranges::find(input, "--join") == input.end())
@@ -184,7 +202,8 @@ std::vector<Input> full_files(const TemporaryFolder& folder, const Format& forma
   const fs::path whole = testdata("formats/" + std::string(format.id) + "/whole.txt");
   std::istringstream lines(read_file(whole));
   for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with('#')) inputs.push_back(words_of(line, whole.parent_path() / "good"));
+    const fs::path good = whole.parent_path() / "good";  // a format of another's layout has none
+    if (!line.starts_with('#')) inputs.push_back(words_of(line, fs::exists(good) ? good : whole.parent_path()));
   }
   return inputs;
 }

@@ -192,10 +192,10 @@ TEST(Zed, ASectionThatOneCameraLacksLeavesItOut) {
 
 TEST(Realsense, StreamsAreCameras) {
   const Rig rig = calibration_of(good("realsense/good/d435i.txt"), "d435i.txt").rig;
-  EXPECT_EQ(names_of(rig), (std::vector<std::string>{"Color", "Infrared_1", "Infrared_2"})) << "Depth is Infrared_1";
-  EXPECT_EQ(rig.cameras[0].image_size, (ImageSize{640, 480}));
-  EXPECT_EQ(parameter(rig.cameras[0].model, "cx"), 325.25);
-  EXPECT_EQ(model_info(rig.cameras[0].model).id, "pinhole") << "Inverse Brown Conrady with zeros";
+  EXPECT_EQ(names_of(rig), (std::vector<std::string>{"Infrared_1", "Infrared_2", "Color"})) << "Depth is Infrared_1";
+  EXPECT_EQ(rig.cameras[2].image_size, (ImageSize{640, 480}));
+  EXPECT_EQ(parameter(rig.cameras[2].model, "cx"), 325.25);
+  EXPECT_EQ(model_info(rig.cameras[2].model).id, "pinhole") << "Inverse Brown Conrady with zeros";
 }
 
 TEST(Realsense, AnExtrinsicTakesPointsOfTheFirstToTheSecond) {

@@ -35,6 +35,7 @@ bool is_made_up(const Demand& demand, const Format& from, const Format& to) {
   const bool beside_others = !demand.of_model.empty() && to.models.size() > 1;
   if (beside_others && find_stored_model(from, demand.of_model, true) == nullptr) return false;
   if (demand.of != nullptr && !(from.*demand.of)) return false;
+  if (demand.of == &Format::pair_poses && from.most_cameras <= 2) return false;
   if (demand.stated != nullptr && from.*demand.stated) return false;
   const bool computed_anew = !demand.of_model.empty();
   return computed_anew || std::ranges::find(from.demands, demand.name, &Demand::name) == from.demands.end();
@@ -121,7 +122,7 @@ std::vector<Message> dropped(const Format& from, const Format& to) {
   // Files of one camera each are as many as one likes: they can be joined.
   if (to.many_cameras && from.most_cameras > to.most_cameras) result.push_back({Code::kLedgerCamerasBeyond, {to.most_cameras}});
   list_lost_to_pairs(from, to, result);
-  if (to.pair_poses && from.extrinsics && from.many_cameras && from.most_cameras > 2)
+  if (to.pair_poses && to.most_cameras > 2 && from.extrinsics && from.many_cameras && from.most_cameras > 2)
     result.push_back({Code::kLedgerPosesButPair});
   if (!from.frame.empty() && from.frame != to.frame) result.push_back({Code::kLedgerPosesInFrame, {from.frame}});
   for (const OwnFact& fact : from.own_facts) {
@@ -134,7 +135,10 @@ std::vector<Message> dropped(const Format& from, const Format& to) {
 std::vector<Message> defaulted(const Format& from, const Format& to) {
   std::vector<Message> result;
   for (const Demand& demand : to.demands) {
-    if (is_made_up(demand, from, to)) result.push_back({Code::kLedgerNamed, {demand.name}});
+    const bool is_listed = std::ranges::any_of(result, [&demand](const Message& each) {
+      return each == Message{Code::kLedgerNamed, {demand.name}};
+    });
+    if (is_made_up(demand, from, to) && !is_listed) result.push_back({Code::kLedgerNamed, {demand.name}});
   }
   if (from.leaves_unit_open() && !to.leaves_unit_open() && to.extrinsics) result.push_back({Code::kLedgerLengthUnit});
   if (to.image_size && !from.image_size) result.push_back({Code::kLedgerSizeAsked});

@@ -122,6 +122,7 @@ Device device_of(const std::string& bytes) {
     std::erase_if(device.streams,
                   [&lens](const Stream& stream) { return stream.name == "Depth" && stream.values == lens.values; });
   }
+  std::ranges::stable_partition(device.streams, [](const Stream& stream) { return stream.name.starts_with("Infrared"); });
   return device;
 }
 
