@@ -57,8 +57,13 @@ constexpr Judged kJudged[] = {
     {"D455__ImuParams.yaml", "program-refuses", "no imu_bias_init_sigma"},
     {"kalibr__templates__camera.yaml", "yaml-key", "a template with {{ }}"},
     {"hl-qiu__processData", "focal-length-not-in-pixels", "fl_x of 166504 px for 1024 columns"},
-    {"__splined-", "unknown-model", "a lens of mrcal's own"},
-    {".splined.cameramodel", "unknown-model", "the same"},
+    {"vslam__equirectangular", "unknown-model", "a panorama"},
+    {"config__equirectangular", "unknown-model", "the same"},
+    {"aist__equirectangular", "unknown-model", "the same"},
+    {"example__gopro__gopro__", "program-refuses", "OpenVSLAM's keys with points, which stella_vslam has no more"},
+    {"test__data__calib_cam.yaml", "program-refuses", "vikit's: one camera without SVO's list"},
+    {"test__data__calib_omni.yaml", "program-refuses", "the same"},
+    {"test__data__calib_pinhole_", "program-refuses", "vikit's flat keys, which SVO has no more"},
     {"SynWoodScape", "carla-translation", "no \"translation\": KeyError in projection.py"},
 };
 

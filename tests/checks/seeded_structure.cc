@@ -317,7 +317,7 @@ std::vector<TextDefect> key_defects() {
        6,
        false},
       {"a centre below 1",
-       {"tumvi"},
+       {"dso"},
        {"relative-by-centre"},
        replaced("^(\\w+ +[-.0-9]+ +[-.0-9]+) +[0-9]{2,}[.0-9]* +[0-9]{2,}[.0-9]*", "$1 0.5 0.5"),
        4},

@@ -96,7 +96,10 @@ TEST(SeededDefects, HaveEveryCode) {
   for (const std::vector<SeededDefect>& list : all) {
     for (const SeededDefect& defect : list) planted.insert(defect.codes.begin(), defect.codes.end());
   }
-  for (const CodeInfo& code : check_codes()) EXPECT_NE(planted.contains(code.id), is_of_no_file(code.id)) << code.id;
+  // Said of memories of devices, in which there is no defect to plant.
+  const std::set<std::string_view> of_devices = {"lens-in-doubt", "not-calibrated", "pose-doubtful", "size-needed"};
+  for (const CodeInfo& code : check_codes())
+    EXPECT_NE(planted.contains(code.id), is_of_no_file(code.id) || of_devices.contains(code.id)) << code.id;
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ std::span<const CodeInfo> device_codes() {
               "the block from {0} to {1} is not read: it contradicts the others by {2:.3} m. librealsense prints that of "
               "Infrared 1 in its place",
               "nothing, if the pose of Infrared 2 to Infrared 1 is that of the device; else ask a newer librealsense"),
-      note(Code::kRealsenseDepthIsInfrared, "camera-left-out",
+      note(Code::kRealsenseDepthIsInfrared, "program-ignores",
            "{0} is left out: it has the lens and the place of {1}, from whose images it is computed"),
       clause(Code::kRealsenseFound, "Intrinsic of a stream, as rs-enumerate-devices -c prints it"),
   };
