@@ -24,6 +24,9 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
+#include <utility>
 
 namespace fca::realsense {
 
@@ -109,12 +112,15 @@ class PrintReader {
     const bool is_one_lens = depth->model == infrared->model && depth->image_size == infrared->image_size &&
                              rig.resolve(kDepth, kInfrared1) == Transform{};
     if (!is_one_lens) return;
-    for (PoseEdge& edge : rig.poses) {
-      for (std::string* end : {&edge.a, &edge.b}) {
-        if (*end == kDepth) *end = kInfrared1;
-      }
+    // Where another camera sits to it counts if nothing says where that sits to Infrared 1.
+    const std::vector<PoseEdge> poses = std::exchange(rig.poses, {});
+    const auto is_of_depth = [](const PoseEdge& edge) { return edge.a == kDepth || edge.b == kDepth; };
+    std::ranges::copy_if(poses, std::back_inserter(rig.poses), std::not_fn(is_of_depth));
+    for (PoseEdge edge : poses) {
+      if (!is_of_depth(edge)) continue;
+      (edge.a == kDepth ? edge.a : edge.b) = kInfrared1;
+      if (edge.a != edge.b && !rig.resolve(edge.a, edge.b)) rig.poses.push_back(edge);
     }
-    std::erase_if(rig.poses, [](const PoseEdge& edge) { return edge.a == edge.b; });
     std::erase_if(rig.cameras, [](const Camera& camera) { return camera.name == kDepth; });
     const auto block = std::ranges::find_if(
         blocks_, [](const Block& each) { return each.kind == Block::Kind::kStream && camera_name(each.name) == kDepth; });
