@@ -78,8 +78,8 @@ std::string_view not_written_for(const ConvertRequest& request, const ConvertRes
   const consumers::Consumer* own = consumers::own_program(result.to->id, true);
   if (is_asked_for || own == nullptr || result.files.empty() || result.files.front().programs.empty()) return {};
   const consumers::Consumer* first = consumers::find_consumer(result.files.front().programs.front());
-  const bool is_for_another = first != nullptr && first->cameras && first->format == own->format && first != own &&
-                              first->id != result.to->id;
+  const bool is_for_another =
+      first != nullptr && first->cameras && first->format == own->format && first != own && first->id != result.to->id;
   return is_for_another ? own->program : std::string_view();
 }
 
