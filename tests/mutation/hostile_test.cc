@@ -209,7 +209,10 @@ std::vector<Target> targets() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, HostileNames, testing::ValuesIn(targets()), [](const testing::TestParamInfo<Target>& target) {
-  return std::string(target.param.format->id) + target.param.extension.substr(target.param.extension.empty() ? 0 : 1);
+  std::string name =
+      std::string(target.param.format->id) + target.param.extension.substr(target.param.extension.empty() ? 0 : 1);
+  std::ranges::replace(name, '-', '_');
+  return name;
 });
 
 }  // namespace
