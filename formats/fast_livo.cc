@@ -264,7 +264,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   reading.camera = &camera;
   if (!schema::read_mapping(reading, kTable.root, document.root())) return std::nullopt;
   warn_of_zeros(reading, document.root());
-  reader.warn_of_misspelt();  // keeping what no row reads asks for all keys
+  reader.warn_of_misspelt();
   schema::keep_unread(reading, kTable.root, document.root(), camera.name);
   keep_beside(documents.front().root(), rig);
   rig.cameras.push_back(std::move(camera));

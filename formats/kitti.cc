@@ -32,7 +32,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// The words of a line's value, which YAML takes for one text.
+/// The words of a line's value, which YAML takes for one text; of another value none.
 std::vector<Node> words_of(const Node& value) {
   constexpr std::string_view kBlanks = " \t";
   std::vector<Node> words;
@@ -59,7 +59,7 @@ class Lines {
  public:
   Lines(const text::Document& document, Diagnostics& diagnostics) : reader_(document, text::Dialect::kPyYaml, diagnostics) {
     for (const text::Entry& entry : document.root().entries) {
-      if (entry.value.is_scalar()) lines_.emplace(entry.key.value, Line{&entry.value, words_of(entry.value)});
+      lines_.emplace(entry.key.value, Line{&entry.value, words_of(entry.value)});
     }
   }
 
@@ -127,9 +127,10 @@ bool set_pinhole(Lines& lines, const std::string& key, std::size_t columns, cons
 
 void keep(Lines& lines, const std::string& key, const std::string& owner, Rig& rig) {
   lines.mark_read(key);
+  const auto& [node, words] = lines.all().at(key);
   std::string value;
-  for (const Node& word : lines.all().at(key).words) value += (value.empty() ? "[" : ", ") + word.value;
-  rig.extra_fields.push_back({owner, key, value + "]"});
+  for (const Node& word : words) value += (value.empty() ? "[" : ", ") + word.value;
+  rig.extra_fields.push_back({owner, key, words.empty() ? fields::value_text(*node) : value + "]"});
 }
 
 /// It is spelled as a real number: 1.392000e+03. False with errors.

@@ -98,8 +98,10 @@ class Reading {
     (void)reader_.find(calibration_, text::attribute("class"));  // By which it was chosen.
     reader_.keep_unasked(calibration_, camera_.name, kept_);
     if (const std::optional<CameraModel> model = lens_.model()) {
+      const std::vector<Message> problems = validate(*model);
+      for (const Message& problem : problems) reader_.say(calibration_, Code::kNotACamera, {camera_.name, problem});
       camera_.model = *model;
-      return camera_;
+      return problems.empty() ? std::optional(camera_) : std::nullopt;
     }
     const Lens lens = lens_;
     std::optional<Camera> table = measured(

@@ -286,7 +286,8 @@ bool has(const text::Document& document, std::string_view key) {
 }
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
-  const bool is_pose = documents.size() == 1 && has(documents.front(), kRotation.name) && !has(documents.front(), kType);
+  const bool is_pose = documents.size() == 1 && has(documents.front(), kRotation.name) && !has(documents.front(), kType) &&
+                       !has(documents.front(), kIntrinsics.name);
   std::optional<Rig> rig = schema::read(is_pose ? kPoseTable : kLensTable, documents, options, diagnostics);
   for (Camera& camera : rig ? std::span(rig->cameras) : std::span<Camera>()) {
     if (!camera.image_size) camera.image_size = options.image_size;

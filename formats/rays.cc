@@ -111,10 +111,14 @@ std::optional<Camera> read_camera(const text::Document& document, const ReadOpti
   }
   fields::Reader reader(document, text::Dialect::kPyYaml, diagnostics);
   const Node* first = first_line(document);
+  const Node* gap = nullptr;  ///< An empty line behind a ray: at the end it says nothing.
   for (const Node& line : document.root().items) {
+    if (line.items.empty() && !camera.rays.empty()) gap = &line;
     if (line.items.empty() || line.tag == text::kCommentTag) continue;
     const std::vector<Node> words = words_of(line);
     if (&line == first && names_columns(words)) continue;
+    if (gap != nullptr) reader.say(Severity::kNote, *gap, Code::kNumbersWanted, {"u v x y z", 0, kColumns.size()});
+    gap = nullptr;
     const std::optional<Correspondence> entry = entry_of(reader, line, words);
     if (!entry) return std::nullopt;
     camera.rays.push_back(*entry);

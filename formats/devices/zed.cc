@@ -224,6 +224,9 @@ class ConfReader {
   bool read_pose(Rig& rig) {
     const Section* stereo = find_section("STEREO");
     const bool is_pair = modes_.size() == kSides.size() && modes_[0] == modes_[1];
+    if (is_pair != (stereo != nullptr))
+      reader_.say(Severity::kWarning, reader_.document().root(), Code::kKeyMissing,
+                  {"the file", is_pair ? "[STEREO]" : "a second camera for [STEREO]"});
     if (stereo == nullptr || !is_pair) return true;
     const std::string mode(modes_.front()->suffix);
     std::array<double, 3> rotation{};

@@ -65,7 +65,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   if (!schema::read_mapping(reading, kSchema.root, root)) return std::nullopt;
   if (!make_table_of_rays(reader, root, reading.lens, camera)) return std::nullopt;
   const bool has_pose = !rig.poses.empty() || reader.require(root, kPoseKeys.back(), kSchema.what) != nullptr;
-  reader.warn_of_misspelt();  // keeping what no row reads asks for all keys
+  reader.warn_of_misspelt();
   if (!has_pose) return std::nullopt;
   schema::keep_unread(reading, kSchema.root, root, camera.name);
   rig.cameras.push_back(std::move(camera));

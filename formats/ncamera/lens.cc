@@ -205,7 +205,9 @@ constinit const schema::Mapping kIntrinsics = {.keys = kIntrinsicsKeys, .unread 
 
 bool read_lens(schema::Reading& reading, const Key& key, const Node& node) {
   const Node* distortion = reading.reader.find(*reading.mapping, "distortion");
-  const Node* name = distortion != nullptr ? reading.reader.find(*distortion, "type") : nullptr;
+  const Node* name =
+      distortion != nullptr ? reading.reader.require(*distortion, "type", reading.owner + " distortion") : nullptr;
+  if (distortion != nullptr && name == nullptr) return false;
   const std::string type = fields::value_text(node);
   const auto of_type = [&type](const NamedLens& lens) { return lens.type == type; };
   if (std::ranges::none_of(kLenses, of_type)) {

@@ -24,6 +24,11 @@ std::string word_at(const Node& node, std::string_view key) {
   return value != nullptr ? value->value : "";
 }
 
+std::string word_at(const fields::Reader& reader, const Node& node, std::string_view key) {
+  const Node* value = reader.find(node, key);
+  return value != nullptr ? value->value : "";
+}
+
 /// T_base_sensor of the list "extrinsics".
 struct Extrinsic {
   std::string base;
@@ -31,13 +36,13 @@ struct Extrinsic {
   const Node* pose = nullptr;    ///< That holds it.
 };
 
-Extrinsic extrinsic_of(const Node& root, const std::string& id) {
-  const Node* list = text::find(root, "extrinsics", kDialect);
+Extrinsic extrinsic_of(const fields::Reader& reader, const std::string& id) {
+  const Node* list = reader.find(reader.document().root(), "extrinsics");
   if (list == nullptr) return {};
   for (const Node& entry : list->items) {
-    if (word_at(entry, "sensor_id") != id) continue;
-    const Node* pose = text::find(entry, "T_B_S", kDialect);
-    return {word_at(entry, "base_sensor_id"), pose != nullptr ? text::find(*pose, "data", kDialect) : nullptr, pose};
+    if (word_at(reader, entry, "sensor_id") != id) continue;
+    const Node* pose = reader.find(entry, "T_B_S");
+    return {word_at(reader, entry, "base_sensor_id"), pose != nullptr ? reader.find(*pose, "data") : nullptr, pose};
   }
   return {};
 }
@@ -52,11 +57,11 @@ struct Body {
 
 /// Nothing, with errors, where a pose cannot be read. A file without the list has one body: the IMU.
 std::optional<Body> body_of(fields::Reader& reader, const Sensors& sensors) {
-  const Node& root = reader.document().root();
-  if (sensors.imu == nullptr || text::find(root, "extrinsics", kDialect) == nullptr) return Body{Link::kSame, {}};
+  const bool has_list = reader.find(reader.document().root(), "extrinsics") != nullptr;
+  if (sensors.imu == nullptr || !has_list) return Body{Link::kSame, {}};
   const std::string imu_id = word_at(*sensors.imu, "id");
-  const Extrinsic cameras = extrinsic_of(root, word_at(*sensors.cameras, "id"));
-  const Extrinsic imu = extrinsic_of(root, imu_id);
+  const Extrinsic cameras = extrinsic_of(reader, word_at(*sensors.cameras, "id"));
+  const Extrinsic imu = extrinsic_of(reader, imu_id);
   if (cameras.matrix == nullptr) return Body{};
   const std::optional<Transform> T_base_body = reader.transform(*cameras.matrix, "T_B_S of the NCAMERA");
   std::optional<Transform> T_base_imu = Transform{};
@@ -146,6 +151,7 @@ std::optional<Rig> read_sensors(const text::Document& document, const Sensors& s
     reader.say(*text::find(document.root(), "sensors", kDialect), Code::kTableNoCameraList, {"sensors"});
     return std::nullopt;
   }
+  for (const Node& sensor : text::find(document.root(), "sensors", kDialect)->items) (void)reader.find(sensor, "sensor_type");
   Rig rig;
   schema::Reading reading{kSensors, reader, options, rig, ""};
   if (!read_sensor(reading, kSensorOfCameras, *sensors.cameras, "")) return std::nullopt;
@@ -158,6 +164,8 @@ std::optional<Rig> read_sensors(const text::Document& document, const Sensors& s
   }
   const std::optional<Body> body = body_of(reader, sensors);
   if (!body || reader.diagnostics().has_errors()) return std::nullopt;
+  if (body->link == Link::kUnknown)
+    reader.say(Severity::kWarning, *sensors.cameras, Code::kKeyMissing, {"extrinsics", "T_B_S of the NCAMERA and the IMU"});
   set_body(rig, *body);
   keep_others(rig, sensors);
   reader.warn_of_misspelt();
@@ -168,14 +176,13 @@ namespace {
 
 /// Where the NCAMERA sits to the IMU, in the list.
 void edit_body(text::Document& document, const Sensors& sensors, const Transform& was, const Transform& now) {
-  const Node& root = document.root();
-  const Extrinsic cameras = extrinsic_of(root, word_at(*sensors.cameras, "id"));
+  Diagnostics ignored;
+  fields::Reader reader(document, kDialect, ignored);
+  const Extrinsic cameras = extrinsic_of(reader, word_at(*sensors.cameras, "id"));
   if (was == now || cameras.pose == nullptr || sensors.imu == nullptr) return;
   Transform T_base_imu;
   if (const std::string imu_id = word_at(*sensors.imu, "id"); cameras.base != imu_id) {
-    const Extrinsic imu = extrinsic_of(root, imu_id);
-    Diagnostics ignored;
-    fields::Reader reader(document, kDialect, ignored);
+    const Extrinsic imu = extrinsic_of(reader, imu_id);
     const std::optional<Transform> stated =
         imu.matrix != nullptr ? reader.transform(*imu.matrix, "T_B_S of the IMU") : std::nullopt;
     if (!stated) return;

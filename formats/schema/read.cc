@@ -94,7 +94,7 @@ void keep_unread(Reading& reading, const Mapping& mapping, const Node& node, con
   for (const text::Entry& entry : node.entries) {
     const auto row = std::ranges::find(mapping.keys, entry.key.value, &Key::name);
     if (!mapping.unread || (row != mapping.keys.end() && !row->with.only_warns)) continue;
-    if (mapping.warns_of_duplicates && reading.reader.find(node, entry.key.value) != &entry.value) continue;
+    if (mapping.warns_of_duplicates && text::find(node, entry.key.value, reading.schema.dialect) != &entry.value) continue;
     reading.rig.extra_fields.push_back(
         {owner, std::string(*mapping.unread) + entry.key.value, fields::value_text(entry.value)});
   }

@@ -38,7 +38,7 @@ bool read_document(const Files& files, const text::Document& document, const Rea
   reading.camera = of_imu ? nullptr : &camera;
   reading.imu = of_imu ? &imu : nullptr;
   if (!schema::read_mapping(reading, table.root, root)) return false;
-  reader.warn_of_misspelt();  // keeping what no row reads asks for all keys
+  reader.warn_of_misspelt();
   schema::keep_unread(reading, table.root, root, name);
   if (of_imu) {
     rig.imus.push_back(std::move(imu));

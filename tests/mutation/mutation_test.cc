@@ -15,6 +15,7 @@
 #include <map>
 #include <random>
 #include <set>
+#include <utility>
 
 namespace fca::test {
 namespace {
@@ -66,6 +67,21 @@ Change change(const Leaves& before, const Leaves& after) {
 /// All that is a fact of cameras and IMUs; what a Rig has no member for is kept as read and says itself.
 Rig facts_of(Rig rig) {
   rig.extra_fields.clear();
+  return rig;
+}
+
+/// The same without the names of its cameras, which are keys in some files.
+Rig unnamed(Rig rig) {
+  std::map<std::string, std::string> names;
+  for (Camera& camera : rig.cameras) {
+    const std::string old = std::exchange(camera.name, std::to_string(names.size()));
+    names.emplace(old, camera.name);
+  }
+  for (PoseEdge& edge : rig.poses) {
+    for (std::string* end : {&edge.a, &edge.b}) {
+      if (const auto name = names.find(*end); name != names.end()) *end = name->second;
+    }
+  }
   return rig;
 }
 
@@ -147,7 +163,7 @@ TEST_P(Mutated, AKeyThatLacksALetterIsTold) {
     Parsed parsed = parse(text, name_);
     if (!parsed.document) continue;
     const std::optional<Calibration> calibration = read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics);
-    if (!calibration || facts_of(calibration->rig) == meant_) continue;
+    if (!calibration || unnamed(facts_of(calibration->rig)) == unnamed(meant_)) continue;
     EXPECT_FALSE(parsed.diagnostics.entries().empty()) << text;
   }
 }
