@@ -85,6 +85,21 @@ const Node* Reader::find(const Node& mapping, std::string_view key) const {
   return node;
 }
 
+std::vector<Node> words_in(const Node& scalar, std::string_view separators) {
+  std::vector<Node> words;
+  const std::string& text = scalar.value;
+  for (std::size_t at = text.find_first_not_of(separators); at != std::string::npos;) {
+    const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
+    Node word;
+    word.kind = text::NodeKind::kScalar;
+    word.value = text.substr(at, end - at);
+    word.span = {scalar.span.offset + at, end - at};
+    words.push_back(std::move(word));
+    at = text.find_first_not_of(separators, end);
+  }
+  return words;
+}
+
 bool Reader::has_read(const Node& mapping, std::string_view key) const {
   return std::ranges::any_of(asked_,
                              [&](const Asked& each) { return each.mapping == &mapping && each.found && each.key == key; });

@@ -98,6 +98,9 @@ class Reader {
       asked_;  ///< A note for warn_of_misspelt() and keep_unasked(): what find() answers does not depend on it.
 };
 
+/// The words of a scalar, as scalars at their places; of another node none.
+[[nodiscard]] std::vector<text::Node> words_in(const text::Node& scalar, std::string_view separators);
+
 /// How a field's value is laid out.
 enum class Shape {
   kScalar,  ///< key: 1.0

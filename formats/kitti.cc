@@ -32,22 +32,6 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// The words of a line's value, which YAML takes for one text; of another value none.
-std::vector<Node> words_of(const Node& value) {
-  constexpr std::string_view kBlanks = " \t";
-  std::vector<Node> words;
-  for (std::size_t at = value.value.find_first_not_of(kBlanks); at != std::string::npos;) {
-    const std::size_t end = std::min(value.value.find_first_of(kBlanks, at), value.value.size());
-    Node word;
-    word.kind = text::NodeKind::kScalar;
-    word.value = value.value.substr(at, end - at);
-    word.span = {value.span.offset + at, end - at};
-    words.push_back(std::move(word));
-    at = value.value.find_first_not_of(kBlanks, end);
-  }
-  return words;
-}
-
 /// A line of a file.
 struct Line {
   const Node* value = nullptr;
@@ -59,7 +43,7 @@ class Lines {
  public:
   Lines(const text::Document& document, Diagnostics& diagnostics) : reader_(document, text::Dialect::kPyYaml, diagnostics) {
     for (const text::Entry& entry : document.root().entries) {
-      lines_.emplace(entry.key.value, Line{&entry.value, words_of(entry.value)});
+      lines_.emplace(entry.key.value, Line{&entry.value, fields::words_in(entry.value, " \t")});
     }
   }
 

@@ -25,18 +25,6 @@ namespace {
 constexpr text::Dialect kDialect = text::Dialect::kPyYaml;
 constexpr std::array<ParameterId, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
 
-/// A model of cv::projectPoints and how many coefficients say it.
-struct Length {
-  std::size_t count;
-  std::string_view model;
-};
-constexpr std::array kLengths = {Length{0, "pinhole"},
-                                 Length{4, "radtan"},
-                                 Length{kRadtanCount, "radtan"},
-                                 Length{kRationalCount, "rational"},
-                                 Length{kPrismCount, "opencv14"},
-                                 Length{kOpenCvCoefficients.size(), "opencv14"}};
-
 std::optional<Camera> read_camera(const text::Document& document, std::vector<ExtraField>& kept, Diagnostics& diagnostics) {
   fields::Reader reader(document, kDialect, diagnostics);
   Camera camera;
@@ -53,15 +41,15 @@ std::optional<Camera> read_camera(const text::Document& document, std::vector<Ex
   camera.image_size = reader.image_size(*width, *height, "");
   const std::optional<std::vector<double>> numbers = reader.reals(*list, 0, "calibration");
   if (!camera.image_size || !numbers) return std::nullopt;
-  const auto length =
-      std::ranges::find(kLengths, numbers->size(), [](const Length& each) { return each.count + kFocalAndCentre.size(); });
-  if (length == kLengths.end()) {
-    std::vector<std::string> counts;
-    for (const Length& each : kLengths) counts.push_back(std::to_string(each.count + kFocalAndCentre.size()));
+  const std::size_t count = std::max(numbers->size(), kFocalAndCentre.size()) - kFocalAndCentre.size();
+  const bool is_opencvs = count == 0 || std::ranges::find(kOpenCvCounts, count) != kOpenCvCounts.end();
+  if (!is_opencvs || numbers->size() < kFocalAndCentre.size()) {
+    std::vector<std::string> counts = {std::to_string(kFocalAndCentre.size())};
+    for (const std::size_t each : kOpenCvCounts) counts.push_back(std::to_string(kFocalAndCentre.size() + each));
     reader.say(*list, Code::kTableCoefficientCount, {"calibration", numbers->size(), counts, "it"});
     return std::nullopt;
   }
-  camera.model = make_model(length->model).value();
+  camera.model = make_model(opencv_model_of(count)).value();
   for (std::size_t i = 0; i < numbers->size(); ++i) {
     const ParameterId id =
         i < kFocalAndCentre.size() ? kFocalAndCentre.at(i) : kOpenCvCoefficients.at(i - kFocalAndCentre.size());

@@ -19,6 +19,7 @@
 #include "ncore.h"
 
 #include "fields.h"
+#include "opencv/lens.h"
 
 #include <fca/code.h>
 #include <fca/convert/ray_table.h>
@@ -175,7 +176,6 @@ class Reading {
   }
 
   bool read_pinhole() {
-    const std::span<const ParameterId> of_opencv(kOpenCvCoefficients);
     constexpr std::array<ParameterId, 6> kRadial = {"k1", "k2", "k3", "k4", "k5", "k6"};
     constexpr std::array<ParameterId, 2> kTangential = {"p1", "p2"};
     constexpr std::array<ParameterId, 4> kPrism = {"s1", "s2", "s3", "s4"};
@@ -186,21 +186,18 @@ class Reading {
     if (!radial || !tangential || !prism || !read_focal_and_centre() || !set_all("radial_coeffs", *radial, kRadial) ||
         !set_all("tangential_coeffs", *tangential, kTangential) || !set_all("thin_prism_coeffs", *prism, kPrism))
       return false;
-    camera_.model = simplest(camera_.model, of_opencv);
+    camera_.model = simplest(camera_.model);
     return true;
   }
 
-  /// The same lens as the first model of cv::projectPoints that holds its coefficients.
-  static CameraModel simplest(const CameraModel& model, std::span<const ParameterId> coefficients) {
-    const auto is_zero = [&model](ParameterId id) { return parameter(model, id) == 0.0; };
-    for (const std::string_view id : {"pinhole", "radtan", "rational"}) {
-      if (!std::ranges::all_of(coefficients.subspan(opencv_count(id)), is_zero)) continue;
-      CameraModel simple = make_model(id).value();
-      for (const Parameter& row : model_info(simple).parameters)
-        set_parameter(simple, ParameterId(row), parameter(model, ParameterId(row)).value());
-      return simple;
-    }
-    return model;
+  /// The same lens as the smallest model of cv::projectPoints that holds its coefficients.
+  static CameraModel simplest(const CameraModel& model) {
+    std::vector<double> coefficients;
+    for (const ParameterId id : kOpenCvCoefficients) coefficients.push_back(parameter(model, id).value());
+    CameraModel simple = make_model(opencv::model_of_coefficients(coefficients)).value();
+    for (const Parameter& row : model_info(simple).parameters)
+      set_parameter(simple, ParameterId(row), parameter(model, ParameterId(row)).value());
+    return simple;
   }
 
   bool read_fisheye() {

@@ -19,6 +19,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 
 namespace fca::rays {
 
@@ -32,17 +33,7 @@ constexpr std::string_view kSeparators = ",; \t";
 /// A line's words, also where commas alone stand between them.
 std::vector<Node> words_of(const Node& line) {
   std::vector<Node> words;
-  for (const Node& item : line.items) {
-    const std::string& text = item.value;
-    for (std::size_t at = text.find_first_not_of(kSeparators); at != std::string::npos;) {
-      const std::size_t end = std::min(text.find_first_of(kSeparators, at), text.size());
-      Node word = item;
-      word.value = text.substr(at, end - at);
-      word.span = {item.span.offset + at, end - at};
-      words.push_back(std::move(word));
-      at = text.find_first_not_of(kSeparators, end);
-    }
-  }
+  for (const Node& item : line.items) std::ranges::move(fields::words_in(item, kSeparators), std::back_inserter(words));
   return words;
 }
 

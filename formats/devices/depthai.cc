@@ -22,6 +22,7 @@
 #include "../schema/keys.h"
 
 #include <fca/code.h>
+#include <fca/formats/opencv_coefficients.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -154,13 +155,13 @@ class EepromReader {
     if (list == nullptr || !reader_.reals(*list, 0, what)) return std::nullopt;
     devices::Nodes coefficients;
     collect_numbers(*list, coefficients);
-    constexpr std::array<std::size_t, 5> kCounts = {4, 5, 8, 12, 14};
     const bool fisheye = *number == kFisheye;
-    const bool counts =
-        fisheye ? coefficients.size() >= kCounts.front() : std::ranges::find(kCounts, coefficients.size()) != kCounts.end();
+    const bool counts = fisheye ? coefficients.size() >= kFisheyeCoefficients.size()
+                                : std::ranges::find(kOpenCvCounts, coefficients.size()) != kOpenCvCounts.end();
     if (!counts) {
-      std::vector<std::string> known = {"4 or more"};
-      if (!fisheye) known = {"4", "5", "8", "12", "14"};
+      std::vector<std::string> known;
+      for (const std::size_t count : kOpenCvCounts) known.push_back(std::to_string(count));
+      if (fisheye) known = {"4 or more"};
       reader_.say(*list, Code::kTableCoefficientCount,
                   {what, coefficients.size(), known, fisheye ? "a fisheye" : "a perspective camera"});
       return std::nullopt;

@@ -17,10 +17,10 @@
 #include "lens.h"
 
 #include "../ini_sections.h"
+#include "../rotation_vector.h"
 
 #include <fca/code.h>
 #include <fca/formats/text/numbers.h>
-#include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <array>
@@ -134,6 +134,7 @@ class ConfReader {
       reader_.say(reader_.document().root(), Code::kKeyMissing, {"the file", "[LEFT_CAM_HD]"});
       return false;
     }
+    if (sizes.size() < kSides.size() && find_section("STEREO") != nullptr) warn_of_missing("a second camera for [STEREO]");
     const auto chosen = devices::chosen_sizes(sizes, options_.image_size, reader_);
     if (!chosen) return false;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -171,6 +172,10 @@ class ConfReader {
     rig.cameras.push_back(std::move(camera));
     modes_.push_back(mode_of(*section, side));
     return true;
+  }
+
+  void warn_of_missing(std::string_view what) {
+    reader_.say(Severity::kWarning, reader_.document().root(), Code::kKeyMissing, {"the file", what});
   }
 
   const Node* require(const Section& section, std::string_view key) {
@@ -224,9 +229,7 @@ class ConfReader {
   bool read_pose(Rig& rig) {
     const Section* stereo = find_section("STEREO");
     const bool is_pair = modes_.size() == kSides.size() && modes_[0] == modes_[1];
-    if (is_pair != (stereo != nullptr))
-      reader_.say(Severity::kWarning, reader_.document().root(), Code::kKeyMissing,
-                  {"the file", is_pair ? "[STEREO]" : "a second camera for [STEREO]"});
+    if (is_pair && stereo == nullptr) warn_of_missing("[STEREO]");
     if (stereo == nullptr || !is_pair) return true;
     const std::string mode(modes_.front()->suffix);
     std::array<double, 3> rotation{};
@@ -246,18 +249,17 @@ class ConfReader {
       if (!value) return false;
       mm.at(i) = *value;
     }
-    const Transform T = pose_of(quaternion_of_vector(rotation), {-mm[0] / 1000.0, mm[1] / 1000.0, mm[2] / 1000.0});
+    Transform T;
+    set_rotation(rotation, T);
+    constexpr double kMillimetre = 1e-3;
+    T(0, 3) = -mm[0] * kMillimetre;
+    T(1, 3) = mm[1] * kMillimetre;
+    T(2, 3) = mm[2] * kMillimetre;
     const Node& place = *stereo->find(upper(std::string(kTranslation.front())));
     if (!reader_.checked(T, {place, "STEREO rotation"}, {place, "STEREO Baseline"})) return false;
     if (mm[1] != 0.0 || mm[2] != 0.0) reader_.say(place, Code::kZedHeightOfSign, {mm[1], mm[2]});
     rig.poses.push_back({std::string(kSides[1].name), std::string(kSides[0].name), T});
     return true;
-  }
-
-  static Quaternion quaternion_of_vector(const std::array<double, 3>& v) {
-    const double angle = std::hypot(v[0], v[1], v[2]);
-    const double scale = angle > 0.0 ? std::sin(angle / 2.0) / angle : 0.5;
-    return {scale * v[0], scale * v[1], scale * v[2], std::cos(angle / 2.0)};
   }
 
   void keep_misc(Rig& rig) const {

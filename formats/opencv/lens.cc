@@ -99,9 +99,7 @@ class LensReader {
     }
     warn_if_told_in_vain(node, {Code::kOpencvSomeCoefficients, {what, count}});
     if (count == 0) return make_model("pinhole");
-    const bool is_opencvs =
-        count == kRadtanCount || count == kRationalCount || count == kPrismCount || count == of_opencv.size();
-    if (!is_opencvs) {
+    if (std::ranges::find(kOpenCvCounts, count) == kOpenCvCounts.end()) {
       reader_.say(node, Code::kOpencvCoefficientCount, {what, count});
       return std::nullopt;
     }

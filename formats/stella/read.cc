@@ -247,17 +247,14 @@ class ConfigReader {
     const bool fisheye = lens.model == "kb4";
     const std::span<const ParameterId> names =
         fisheye ? std::span<const ParameterId>(kFisheyeCoefficients) : std::span<const ParameterId>(kOpenCvCoefficients);
-    const std::vector<std::size_t> counts = fisheye ? std::vector<std::size_t>{4} : std::vector<std::size_t>{4, 5, 8, 12, 14};
+    const std::span<const std::size_t> counts = std::span(kOpenCvCounts).first(fisheye ? 1 : kOpenCvCounts.size());
     if (std::ranges::find(counts, d->size()) == counts.end()) {
       std::vector<std::string> wanted;
       for (const std::size_t count : counts) wanted.push_back(std::to_string(count));
       reader_.say(D, Code::kTableCoefficientCount, {label, d->size(), wanted, lens.name});
       return false;
     }
-    model = *make_model(fisheye                       ? "kb4"
-                        : d->size() <= kRadtanCount   ? "radtan"
-                        : d->size() <= kRationalCount ? "rational"
-                                                      : "opencv14");
+    model = *make_model(fisheye ? "kb4" : opencv_model_of(d->size()));
     for (std::size_t i = 0; i < d->size(); ++i) {
       if (!reader_.parameter(D.items[i], label, names[i], (*d)[i], model)) return false;
     }

@@ -4,6 +4,7 @@
 #include "xml.h"
 
 #include "markup.h"
+#include "utf8.h"
 
 #include <fca/formats/text/limits.h>
 
@@ -23,25 +24,6 @@ constexpr std::string_view kBlanks = " \t\r\n";
 constexpr std::string_view kPrefix = "<?fca?>";
 constexpr std::size_t kPrefixValue = 2;
 
-void append_utf8(std::string& text, unsigned code) {
-  const auto put = [&text](unsigned byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
-  if (code < 0x80) {
-    put(code);
-  } else if (code < 0x800) {
-    put(0xC0u | (code >> 6));
-    put(0x80u | (code & 0x3Fu));
-  } else if (code < 0x10000) {
-    put(0xE0u | (code >> 12));
-    put(0x80u | ((code >> 6) & 0x3Fu));
-    put(0x80u | (code & 0x3Fu));
-  } else {
-    put(0xF0u | (code >> 18));
-    put(0x80u | ((code >> 12) & 0x3Fu));
-    put(0x80u | ((code >> 6) & 0x3Fu));
-    put(0x80u | (code & 0x3Fu));
-  }
-}
-
 /// What stands between '&' and ';'. False if XML has no such entity.
 bool append_entity(std::string& text, std::string_view name) {
   constexpr std::pair<std::string_view, char> kEntities[] = {
@@ -58,7 +40,7 @@ bool append_entity(std::string& text, std::string_view name) {
   const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), code, hex ? 16 : 10);
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
   if (failure != std::errc() || end != digits.data() + digits.size() || code == 0 || code > 0x10FFFF || surrogate) return false;
-  append_utf8(text, code);
+  append_utf8(code, text);
   return true;
 }
 

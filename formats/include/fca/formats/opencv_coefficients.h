@@ -16,6 +16,17 @@ inline constexpr std::size_t kRadtanCount = 5;
 inline constexpr std::size_t kRationalCount = 8;
 inline constexpr std::size_t kPrismCount = 12;
 
+/// So many it takes; with 4 k3 is 0.
+inline constexpr std::array<std::size_t, 5> kOpenCvCounts = {4, kRadtanCount, kRationalCount, kPrismCount,
+                                                             kOpenCvCoefficients.size()};
+
+/// The smallest of its models that has so many: pinhole, radtan, rational or opencv14.
+[[nodiscard]] constexpr std::string_view opencv_model_of(std::size_t count) {
+  if (count == 0) return "pinhole";
+  if (count <= kRadtanCount) return "radtan";
+  return count <= kRationalCount ? "rational" : "opencv14";
+}
+
 /// cv::fisheye's.
 inline constexpr std::array<ParameterId, 4> kFisheyeCoefficients = {"k1", "k2", "k3", "k4"};
 
