@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // OpenSfM's cameras, as OpenDroneMap has them, too (mapillary/OpenSfM@238744cd of 2026-07-13: io.py camera_from_json,
 // geometry's camera_instances.h, camera_distortions_functions.h): camera_models.json, camera_models_overrides.json,
-// cameras.json, and the "cameras" of a reconstruction.json. Read only: OpenSfM estimates them anew.
+// cameras.json, and the "cameras" of a reconstruction.json. Read only: OpenSfM estimates them itself.
 //
 //   <the camera's id>
 //     projection_type              perspective if it is not there

@@ -6,6 +6,7 @@
 #include <locale>
 #include <sstream>
 
+#include "../yaml_directive.h"
 #include "about_key.h"
 
 namespace fca::consumers::ncamera {
@@ -101,7 +102,7 @@ ConsumerView read(std::string_view bytes, std::string_view program,
     return view;
   }
   try {
-    const YAML::Node root = YAML::Load(std::string(bytes));
+    const YAML::Node root = YAML::Load(without_version(std::string(bytes)));
     File file(program, view);
     if (root.IsMap()) {
       body(root, file);

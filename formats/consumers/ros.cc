@@ -23,6 +23,7 @@
 #include <string_view>
 #include <vector>
 
+#include "../yaml_directive.h"
 #include "fca/code.h"
 #include "opencv_formulas.h"
 #include "programs.h"
@@ -74,7 +75,7 @@ class Parser {
   Parser(CameraInfo& info, ConsumerView& view) : info_(info), view_(view) {}
 
   void parse(const std::string& bytes) {
-    const YAML::Node doc = YAML::Load(bytes);
+    const YAML::Node doc = YAML::Load(without_version(bytes));
     key_ = "image_width";
     info_.width = doc[key_].as<std::uint32_t>();
     key_ = "image_height";

@@ -21,6 +21,7 @@
 #include <string_view>
 #include <vector>
 
+#include "../yaml_directive.h"
 #include "about_key.h"
 #include "fca/code.h"
 #include "opencv_formulas.h"
@@ -43,7 +44,7 @@ struct Program {
 constexpr Program kStella = {"stella_vslam", false};
 constexpr Program kOpenVslam = {"OpenVSLAM", true};
 
-/// What YAML::Node::as<double> makes of a scalar; nothing where it throws.
+/// The number that YAML::Node::as<double> reads; nothing where it throws.
 std::optional<double> real(const YAML::Node& node) {
   if (!node.IsDefined() || !node.IsScalar()) return std::nullopt;
   const std::string& word = node.Scalar();
@@ -333,7 +334,7 @@ ConsumerView load(std::string_view bytes, const Program& program) {
     return view;
   }
   try {
-    const YAML::Node root = YAML::Load(std::string(bytes));
+    const YAML::Node root = YAML::Load(without_version(std::string(bytes)));
     if (root.IsMap()) {
       read(root, program, view);
     } else {

@@ -13,7 +13,7 @@ std::span<const CodeInfo> device_codes() {
       error(Code::kDeviceSizeNeeded, "size-needed", "the file has a lens for each size of images: {0:and}",
             "say the size of your images"),
       error(Code::kDeviceSizeUnknown, "size-contradicts", "the file has no lens for images of {0}, but for {1:and}",
-            "say the size at which the device recorded; images that were scaled since are told beside it"),
+            "say the size at which the device recorded; say beside it to which size the images were scaled since"),
       warning(Code::kDeviceCameraOfOtherSize, "size-contradicts",
               "{0} is left out: it has no lens for images of {1}, but for {2:and}",
               "say a size that all have, if that is how the images were recorded"),
@@ -25,7 +25,7 @@ std::span<const CodeInfo> device_codes() {
            "said to be the other way round",
            "compare it with the board: the IMU's origin is at {1:.3}, {2:.3}, {3:.3} m in {0} (right, down, forward)"),
       error(Code::kOpeniccSkew, "skew", "{0} is {1}, and fca-io has no {2} lens with skew",
-            "the calibrator itself writes 0: calibrate anew, or with FISHEYE, which may have one"),
+            "the calibrator itself writes 0: calibrate again, or with FISHEYE, which may have one"),
       error(Code::kOpeniccDivisionAspect, "unknown-model",
             "{0} is {1}: the division model of this program counts the radius in pixels, and with pixels that are not square "
             "fca-io has no such model",
