@@ -221,8 +221,9 @@ A quaternion must have length 1.)"},
           R"(A number or a list stands where a name is read. Quotes make text of what looks like a number: "1.0".)"},
     Story{"not-a-transform", "If the last column is 0 0 0 1, the matrix is transposed."},
     Story{"not-an-integer", "A count of pixels or frames per second is wanted."},
-    Story{"not-calibrated",
-          "A device that was never calibrated holds zeros for its lens. They are left out: calibrate it, or read it out again."},
+    Story{
+        "not-calibrated",
+        "A device that was never calibrated holds zeros for its lens. They are left out: calibrate it, or read it out again."},
     Story{"not-finite", "NaN and infinity are what a calibration leaves that did not converge."},
     Story{"not-in-pixels",
           "rho = k1 theta + ... in pixels: k1 is 200 to 600. Normalised Kannala-Brandt coefficients (0.18) stand there in "
