@@ -307,9 +307,10 @@ ProbeResult probe(const text::Document& document) {
   const Node* model = keys != nullptr ? find(*keys, kModelKey) : nullptr;
   if (model == nullptr || (model->value.starts_with("Pinhole") && model->value != "Pinhole")) return {};
   for (const std::string_view key : {"cam_width", "cam_fx", "cam_calib_file"}) {
-    if (find(*keys, key) != nullptr)
+    if (find(*keys, key) != nullptr) {
       return {evidence::kCamera,
               Message{Code::kFoundKeys, {std::vector<std::string>{std::string(kModelKey), std::string(key)}}}};
+    }
   }
   return {};
 }

@@ -13,6 +13,7 @@
 // A key that is not there is 0. What no model here holds (k4 or p3 of a frame lens, p1 of a fisheye) makes it a table of rays.
 #include "metashape.h"
 
+#include "column.h"
 #include "fields.h"
 #include "text/xml.h"
 
@@ -122,9 +123,8 @@ class Reading {
       lens_.kind = found->kind;
       return true;
     }
-    std::vector<std::string> names;
-    for (const Projection& each : kProjections) names.emplace_back(each.name);
-    reader_.say(node != nullptr ? *node : calibration_, Code::kTableUnknownWord, {label("projection"), name, names});
+    reader_.say(node != nullptr ? *node : calibration_, Code::kTableUnknownWord,
+                {label("projection"), name, column(kProjections, &Projection::name)});
     return false;
   }
 
@@ -214,8 +214,9 @@ bool read_document(const text::Document& document, Rig& rig, Diagnostics& diagno
   const Node& root = document.root();
   const auto take = [&](const Node& calibration, std::string name, const Node* sensor) {
     std::optional<Camera> camera = Reading(reader, calibration, rig.extra_fields).run(std::move(name), sensor);
-    if (camera) rig.cameras.push_back(*std::move(camera));
-    return camera.has_value();
+    if (!camera) return false;
+    rig.cameras.push_back(*std::move(camera));
+    return true;
   };
   if (root.tag == "calibration") return take(root, "cam0", nullptr);
   for (const Node* chunk : all_under(root, "chunk")) {

@@ -193,6 +193,7 @@ class Reading {
   /// The same lens as the smallest model of cv::projectPoints that holds its coefficients.
   static CameraModel simplest(const CameraModel& model) {
     std::vector<double> coefficients;
+    coefficients.reserve(kOpenCvCoefficients.size());
     for (const ParameterId id : kOpenCvCoefficients) coefficients.push_back(parameter(model, id).value());
     CameraModel simple = make_model(opencv::model_of_coefficients(coefficients)).value();
     for (const Parameter& row : model_info(simple).parameters)

@@ -16,6 +16,7 @@
 //   trajectory                           of the calibration, thousands of samples: not read
 #include "openicc.h"
 
+#include "column.h"
 #include "schema/keys.h"
 
 #include <fca/code.h>
@@ -88,9 +89,7 @@ bool read_type(Reading& reading, const Key& key, const Node& node) {
   const std::optional<std::string> name = reading.reader.string(node, key.name);
   const Type* type = name ? find_type(*name) : nullptr;
   if (type == nullptr) {
-    std::vector<std::string> known;
-    for (const Type& each : kTypes) known.emplace_back(each.name);
-    if (name) reading.reader.say(node, Code::kTableUnknownWord, {key.name, *name, known});
+    if (name) reading.reader.say(node, Code::kTableUnknownWord, {key.name, *name, column(kTypes, &Type::name)});
     return false;
   }
   reading.lens = type->name;

@@ -14,6 +14,7 @@
 // Project Aria's: a lens that has them is read as a table of rays.
 #include "opensfm.h"
 
+#include "column.h"
 #include "fields.h"
 
 #include <fca/code.h>
@@ -65,12 +66,6 @@ constexpr std::array kProjections = {
     Projection{"fisheye624", "fisheye624", false, kSixRadial, kBeside.size()},
 };
 
-std::vector<std::string> projection_names() {
-  std::vector<std::string> names;
-  for (const Projection& projection : kProjections) names.emplace_back(projection.name);
-  return names;
-}
-
 /// The camera of one entry while it is read.
 class Reading {
  public:
@@ -83,7 +78,7 @@ class Reading {
     const auto projection = std::ranges::find(kProjections, name, &Projection::name);
     if (projection == kProjections.end()) {
       reader_.say(type != nullptr ? *type : mapping_, Code::kTableUnknownWord,
-                  {label("projection_type"), name, projection_names()});
+                  {label("projection_type"), name, column(kProjections, &Projection::name)});
       return false;
     }
     return read_size() && read_pinhole(*projection) && read_coefficients(*projection);

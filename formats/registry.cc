@@ -63,7 +63,7 @@ const auto& table() {
 std::span<const Format> all_formats() { return table(); }
 
 std::span<const Format> written_formats() {
-  static const std::size_t kCount = static_cast<std::size_t>(std::ranges::count_if(table(), &Format::is_written));
+  static const auto kCount = static_cast<std::size_t>(std::ranges::count_if(table(), &Format::is_written));
   return std::span(table()).first(kCount);
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "../column.h"
 #include "about_key.h"
 #include "fca/code.h"
 #include "opencv_formulas.h"
@@ -70,9 +71,7 @@ class Model {
       const bool is_other =
           std::any_of(kOthers.begin(), kOthers.end(), [&lens](std::string_view begin) { return lens.starts_with(begin); });
       if (is_other) return warn(Code::kMrcalSaysOtherLens, lens_key, {lens});
-      std::vector<std::string> names;
-      for (const Lens& each : kLenses) names.emplace_back(each.name);
-      return refuse(Code::kProgramSaysUnknownWord, lens_key, {lens, kProgram, names});
+      return refuse(Code::kProgramSaysUnknownWord, lens_key, {lens, kProgram, column(kLenses, &Lens::name)});
     }
     if (intrinsics->size() != known->count)
       return refuse(Code::kMrcalSaysCoefficientCount, "intrinsics", {intrinsics->size(), lens, known->count});

@@ -136,7 +136,7 @@ bool is_boolean(const cv::FileNode& node) {
   if (node.isInt()) return true;
   if (!node.isString()) return false;
   std::string word = node.string();
-  word = word.substr(0, word.find(' '));
+  word.resize(std::min(word.find(' '), word.size()));
   for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   constexpr std::array<std::string_view, 8> kWords = {"false", "no", "n", "off", "true", "yes", "y", "on"};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
@@ -200,14 +200,16 @@ class Configuration {
         }
         return;
       case Type::kInt:
-        if (!node.isInt())
+        if (!node.isInt()) {
           complain(view_.refusals, Code::kOrbslamNotInt, path,
                    {storage::description_of(node), generation_.program, std::vector<Message>()});
+        }
         return;
       case Type::kBoolean:
-        if (!is_boolean(node))
+        if (!is_boolean(node)) {
           complain(view_.refusals, Code::kProgramSaysUnknownWord, path,
                    {storage::description_of(node), generation_.program, std::vector<std::string>{"true", "false"}});
+        }
         return;
       case Type::kList:
         static_cast<void>(numbers(node, path, wanted.count, false));
@@ -331,7 +333,7 @@ std::optional<ConsumerCamera> camera_of(Configuration& file, const Entry& entry,
 
 void read_cameras(Configuration& file, ConsumerView& view) {
   const cv::FileNode list = file.find("cameras");
-  if (!list.isSeq() || list.size() == 0) return file.refuse(Code::kProgramSaysMissing, "cameras");
+  if (!list.isSeq() || list.empty()) return file.refuse(Code::kProgramSaysMissing, "cameras");
   std::vector<Entry> entries;
   for (int i = 0; i < static_cast<int>(list.size()); ++i) {
     if (std::optional<Entry> entry = complete_entry(file, list[i], "cameras/" + std::to_string(i))) entries.push_back(*entry);

@@ -351,12 +351,7 @@ class Reader {
       comma = take(',');
       if (key.kind == Kind::kList || key.kind == Kind::kDict) raise("TypeError");
       if (key.kind != Kind::kString) continue;  // mrcal asks for none
-      const auto there = std::ranges::find(dict.entries, key.text, &std::pair<std::string, Value>::first);
-      if (there == dict.entries.end()) {
-        dict.entries.emplace_back(key.text, std::move(of_key));
-      } else {
-        there->second = std::move(of_key);
-      }
+      dict.entries.insert_or_assign(key.text, std::move(of_key));
     }
     ++at_;
     return dict;
@@ -370,7 +365,7 @@ class Reader {
 }  // namespace
 
 const Value* Value::find(std::string_view key) const {
-  const auto found = std::ranges::find(entries, key, &std::pair<std::string, Value>::first);
+  const auto found = entries.find(key);
   return found == entries.end() ? nullptr : &found->second;
 }
 

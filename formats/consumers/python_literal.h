@@ -2,9 +2,9 @@
 // Private: a text as Python's ast.literal_eval reads it (CPython 3.11), as far as files state numbers, texts, lists and dicts.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace fca::consumers::python {
@@ -13,10 +13,10 @@ enum class Kind { kNone, kBool, kInt, kFloat, kString, kBytes, kList, kDict };
 
 struct Value {
   Kind kind = Kind::kNone;
-  std::string text;                                    ///< Texts with their escapes resolved but for \N; bytes as written.
-  double number = 0.0;                                 ///< Bool, int and float.
-  std::vector<Value> items;                            ///< Lists and tuples.
-  std::vector<std::pair<std::string, Value>> entries;  ///< Dicts: of keys that are texts each once, with the last value.
+  std::string text;                                   ///< Texts with their escapes resolved but for \N; bytes as written.
+  double number = 0.0;                                ///< Bool, int and float.
+  std::vector<Value> items;                           ///< Lists and tuples.
+  std::map<std::string, Value, std::less<>> entries;  ///< Dicts: of keys that are texts, with the last value.
 
   /// What isinstance(value, numbers.Number) says; a bool is one.
   [[nodiscard]] bool is_number() const { return kind == Kind::kBool || kind == Kind::kInt || kind == Kind::kFloat; }

@@ -19,6 +19,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "../yaml_directive.h"
@@ -69,8 +70,8 @@ Message described(const YAML::Node& node) {
 /// The keys of a block, and what the program says of them.
 class Block {
  public:
-  Block(const YAML::Node& root, const Program& program, const std::string& name, ConsumerView& view)
-      : root_(root), program_(program), name_(name), view_(view) {}
+  Block(const YAML::Node& root, const Program& program, std::string name, ConsumerView& view)
+      : root_(root), program_(program), name_(std::move(name)), view_(view) {}
 
   [[nodiscard]] bool is_there() const {
     if (!program_.dotted) return root_[name_].IsDefined();

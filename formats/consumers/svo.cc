@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "ncamera_yaml.h"
 #include "opencv_formulas.h"
@@ -79,7 +80,7 @@ void set_pinhole(ConsumerCamera& camera, const std::string& distortion, const Nu
 /// 24 numbers: the polynomial of five, the centre, c, d and e, the inverse polynomial of twelve, and a mask.
 class Omni {
  public:
-  explicit Omni(const Numbers& k) : k_(k) {}
+  explicit Omni(Numbers k) : k_(std::move(k)) {}
 
   [[nodiscard]] std::optional<Pixel> project(const Ray& ray) const {
     const double norm = std::hypot(ray[0], ray[1]);

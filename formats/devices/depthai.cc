@@ -160,6 +160,7 @@ class EepromReader {
                                 : std::ranges::find(kOpenCvCounts, coefficients.size()) != kOpenCvCounts.end();
     if (!counts) {
       std::vector<std::string> known;
+      known.reserve(kOpenCvCounts.size());
       for (const std::size_t count : kOpenCvCounts) known.push_back(std::to_string(count));
       if (fisheye) known = {"4 or more"};
       reader_.say(*list, Code::kTableCoefficientCount,

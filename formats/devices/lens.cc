@@ -46,6 +46,7 @@ std::vector<std::string> in_words(std::vector<ImageSize> sizes) {
   });
   sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
   std::vector<std::string> words;
+  words.reserve(sizes.size());
   for (const ImageSize& size : sizes) words.push_back(in_words(size));
   return words;
 }
@@ -74,9 +75,10 @@ std::optional<std::vector<std::optional<ImageSize>>> chosen_sizes(std::span<cons
     return std::nullopt;
   }
   for (std::size_t i = 0; i < cameras.size(); ++i) {
-    if (!chosen[i])
+    if (!chosen[i]) {
       reader.say(*cameras[i].place, Code::kDeviceCameraOfOtherSize,
                  {cameras[i].camera, in_words(*told), in_words(cameras[i].sizes)});
+    }
   }
   return chosen;
 }

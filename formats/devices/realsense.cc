@@ -99,7 +99,8 @@ class PrintReader {
     if (!read_poses(rig)) return false;
     leave_out_depth(rig);
     // The stereo pair comes first.
-    std::ranges::stable_partition(rig.cameras, [](const Camera& camera) { return camera.name.starts_with("Infrared"); });
+    std::stable_partition(rig.cameras.begin(), rig.cameras.end(),
+                          [](const Camera& camera) { return camera.name.starts_with("Infrared"); });
     return true;
   }
 

@@ -6,6 +6,7 @@
 //   T_body_cam or T_cam_body         tx ty tz [m], qx qy qz qw
 #include "factory.h"
 
+#include "../column.h"
 #include "../schema/keys.h"
 
 #include <fca/code.h>
@@ -48,10 +49,8 @@ class FactoryReader {
     if (model == nullptr) return false;
     const auto* const lens = std::ranges::find(kLenses, model->value, &FactoryLens::name);
     if (lens == kLenses.end()) {
-      std::vector<std::string> names;
-      for (const FactoryLens& row : kLenses) names.emplace_back(row.name);
       reader_.say(*model, Code::kTableUnknownWord,
-                  {camera.name + " " + std::string(kModel), model->value.substr(0, 40), names});
+                  {camera.name + " " + std::string(kModel), model->value.substr(0, 40), column(kLenses, &FactoryLens::name)});
       return false;
     }
     camera.model = make_model(lens->model).value();
@@ -136,9 +135,10 @@ std::optional<Rig> read_factory_file(const text::Document& document, const ReadO
     camera.image_size = options.image_size;
     good = factory.read(entry.value, std::move(camera)) && good;
     constexpr std::string_view kBase = "T_cam_base";  // no program reads it
-    if (const Node* base = text::find(entry.value, kBase, kDialect))
+    if (const Node* base = text::find(entry.value, kBase, kDialect)) {
       rig.extra_fields.push_back(
           {rig.cameras.empty() ? "" : rig.cameras.back().name, std::string(kBase), fields::value_text(*base)});
+    }
   }
   return good ? std::optional(std::move(rig)) : std::nullopt;
 }

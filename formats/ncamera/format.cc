@@ -152,9 +152,10 @@ void list_losses(const schema::Schema& table, Rig rig, Written& written) {
   const Message no_place{Code::kFilesHaveNoPlace, {table.program}};
   if (&table == &kSensors) {
     for (Imu& imu : rig.imus) imu.topic.clear();
-    if (!rig.imus.empty() && rig.imus.front().rate_hz)
+    if (!rig.imus.empty() && rig.imus.front().rate_hz) {
       written.losses.push_back(lost(Code::kNotCarriedValue, rig.imus.front().name, "rate",
                                     {no_place, text::format_short(*rig.imus.front().rate_hz)}));
+    }
   }
   schema::list_losses(table, rig, no_place, written.losses);
 }

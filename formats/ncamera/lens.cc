@@ -100,9 +100,10 @@ void keep_rest(schema::Reading& reading, const std::vector<double>& numbers) {
        {Code::kCalibResultsInverse, {inverse.size(), ocamcalib::inverse_error(camera, inverse), listed}}});
   const double from = numbers[kOmni.size() + kInverseCount];
   const double to = numbers.back();
-  if (from != 0.0 || to != 0.0)
+  if (from != 0.0 || to != 0.0) {
     reading.rig.extra_fields.push_back(
         {camera.name, std::string(kMask), "[" + text::format_real(from) + ", " + text::format_real(to) + "]"});
+  }
 }
 
 bool read_intrinsics(schema::Reading& reading, const Key& key, const Node& node) {

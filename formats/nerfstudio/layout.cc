@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "layout.h"
 
+#include "../column.h"
+
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -145,12 +147,7 @@ std::optional<bool> is_fisheye_model(std::string_view camera_model) {
   return found == kModelNames.end() ? std::nullopt : std::optional(found->fisheye);
 }
 
-std::vector<std::string> read_models() {
-  std::vector<std::string> names;
-  names.reserve(kModelNames.size());
-  for (const ModelName& model : kModelNames) names.emplace_back(model.name);
-  return names;
-}
+std::vector<std::string> read_models() { return column(kModelNames, &ModelName::name); }
 
 std::string_view camera_model_for(std::string_view there, const CameraModel& model) {
   const std::string_view id = model_info(model).id;

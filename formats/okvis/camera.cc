@@ -11,6 +11,8 @@
 //   camera_type, slam_use     OKVIS2: gray, rgb, gray+depth, rgb+depth; none, okvis, okvis-depth, okvis-virtual
 #include "table.h"
 
+#include "../column.h"
+
 #include <fca/code.h>
 
 #include <algorithm>
@@ -51,12 +53,6 @@ constexpr std::array<Distortion, 5> kDistortions = {{{"radialtangential", "radta
                                                      {"equidistant", "kb4", kEquidistant},
                                                      {"plumb_bob", "radtan", kRadtan},
                                                      {"plumb_bob8", "rational", kRational}}};
-
-std::vector<std::string> names_of_distortions() {
-  std::vector<std::string> names;
-  for (const Distortion& row : kDistortions) names.emplace_back(row.name);
-  return names;
-}
 
 const Distortion* distortion_of(const CameraModel& model) {
   const auto* const found = std::ranges::find(kDistortions, model_info(model).id, &Distortion::model);
@@ -103,9 +99,9 @@ bool read_lens(schema::Reading& reading, const Key& /*key*/, const Node& node) {
   }
   const auto* const row = std::ranges::find(kDistortions, node.value, &Distortion::name);
   if (!node.is_scalar() || row == kDistortions.end()) {
-    reading.reader.say(
-        node, Code::kTableUnknownWord,
-        {reading.owner + " distortion_type", fields::value_text(node).substr(0, kLongestWord), names_of_distortions()});
+    reading.reader.say(node, Code::kTableUnknownWord,
+                       {reading.owner + " distortion_type", fields::value_text(node).substr(0, kLongestWord),
+                        column(kDistortions, &Distortion::name)});
     return false;
   }
   reading.camera->model = make_model(row->model).value();

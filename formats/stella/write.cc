@@ -267,30 +267,31 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   target.pair = is_pair(rig, why_not);
   const std::optional<double> rate = options.frame_rate_hz ? options.frame_rate_hz : rig.cameras.front().frame_rate_hz;
   target.frame_rate_hz = rate.value_or(kStockRate);
-  const bool edits = there && !options.anew && (there->cameras.size() > 1) == target.pair;
-  if (!are_storable(rig, target, edits ? &*there : nullptr, diagnostics)) return std::nullopt;
+  const bool keeps_text = there && !options.anew && (there->cameras.size() > 1) == target.pair;
+  const text::Document* const edits = keeps_text ? base : nullptr;
+  if (!are_storable(rig, target, edits != nullptr ? &*there : nullptr, diagnostics)) return std::nullopt;
 
   Written written;
   Target before = target;
-  if (edits) before.frame_rate_hz = there->cameras.front().frame_rate_hz.value_or(kStockRate);
+  if (edits != nullptr) before.frame_rate_hz = there->cameras.front().frame_rate_hz.value_or(kStockRate);
   std::optional<text::Document> document =
-      edits ? std::optional(edited(*base, *there, with_words_of(*there, rig), before, target))
-            : composed(base, rig, target, rate.has_value(), written, diagnostics);
+      edits != nullptr ? std::optional(edited(*edits, *there, with_words_of(*there, rig), before, target))
+                       : composed(base, rig, target, rate.has_value(), written, diagnostics);
   if (!document) return std::nullopt;
-  if (base != nullptr && !edits) add_composed_anew(*base, *document, Message{}, written.losses);
-  const bool dotted = edits && style_of(*base) == Style::kDotted;
+  if (base != nullptr && edits == nullptr) add_composed_anew(*base, *document, Message{}, written.losses);
+  const bool dotted = edits != nullptr && style_of(*edits) == Style::kDotted;
   written.files.push_back({*std::move(document), {}, {dotted ? "openvslam" : "stella"}});
   for (const Camera& camera : std::span(rig.cameras).first(target.pair ? 2 : 1))
     written.files.front().cameras.push_back(camera.name);
   if (target.pair) list_restated(rig, written);
 
   // A file that is composed in the base's place keeps what tunes the program there.
-  std::vector<ExtraField> kept = edits ? there->extra_fields : std::vector<ExtraField>();
-  if (there && !edits && style_of(*base) == Style::kNested) {
+  std::vector<ExtraField> kept = edits != nullptr ? there->extra_fields : std::vector<ExtraField>();
+  if (there && edits == nullptr && style_of(*base) == Style::kNested) {
     std::ranges::copy_if(there->extra_fields, std::back_inserter(kept),
                          [](const ExtraField& extra) { return extra.key.starts_with(kTuning); });
   }
-  add_extras_lost(rig, edits ? kept : said_in(rig, target, kept), edits ? std::nullopt : there,
+  add_extras_lost(rig, edits != nullptr ? kept : said_in(rig, target, kept), edits != nullptr ? std::nullopt : there,
                   Message{Code::kFilesHaveNoPlace, {kProgram}}, written.losses);
   list_losses(rig, target, written.losses);
   written.headline = {

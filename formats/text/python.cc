@@ -25,7 +25,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Takes digits from the front; how many there were.
 std::size_t take_digits(std::string_view& text) {
-  const std::size_t count = static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
+  const auto count = static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
   text.remove_prefix(count);
   return count;
 }

@@ -44,9 +44,10 @@ Span comment_of_words(const Document& document) {
 
 /// Of lines of words only where two comments stand at the top (COLMAP's): OCamCalib's reader skips exactly one line.
 bool has_lines_of_comment(const Document& document) {
-  if (document.syntax() != Syntax::kWords)
+  if (document.syntax() != Syntax::kWords) {
     return document.syntax() == Syntax::kYaml || document.syntax() == Syntax::kOpenCvYaml ||
            document.syntax() == Syntax::kPython;
+  }
   const std::string_view bytes = document.source().bytes;
   const std::size_t end = bytes.find('\n');
   return bytes.starts_with('#') && end != std::string_view::npos && bytes.substr(end + 1).starts_with('#');
