@@ -6,6 +6,7 @@
 #include "ds/kernels.h"
 #include "eucm/kernels.h"
 #include "fov/kernels.h"
+#include "ftheta/kernels.h"
 #include "kb4/kernels.h"
 #include "mei/kernels.h"
 #include "ocamcalib/kernels.h"

@@ -24,7 +24,7 @@ struct Pair {
 constexpr Pair kPairs[] = {{"radtan", "pinhole"},    {"rational", "radtan"},  {"ucm", "pinhole"},
                            {"eucm", "ucm"},          {"ds", "ucm"},           {"mei", "ucm"},
                            {"ocamcalib", "pinhole"}, {"division", "pinhole"}, {"thin-prism-fisheye", "kb4"},
-                           {"fisheye624", "kb4"}};
+                           {"fisheye624", "kb4"},    {"ftheta", "woodscape"}};
 
 struct Source {
   Camera camera;

@@ -75,11 +75,14 @@ inline CameraModel random_model(std::size_t kind) {
       return model;
     }
     case 15:
+      return Intrinsics<Ftheta>{{f, uniform(-0.1, 0.1) * f, uniform(-0.1, 0.1) * f, uniform(-0.03, 0.03) * f,
+                                 uniform(-0.01, 0.01) * f, g / f, uniform(-0.01, 0.01), uniform(-0.01, 0.01), cx, cy}};
     case 16:
     case 17:
-    case 18: {
+    case 18:
+    case 19: {
       constexpr std::array<std::size_t, 4> kStraight = {1, 2, 3, 7};
-      return with_skew(random_model(kStraight.at(kind - 15)), uniform(-4.0, 4.0)).value();
+      return with_skew(random_model(kStraight.at(kind - 16)), uniform(-4.0, 4.0)).value();
     }
     default:
       return Intrinsics<Woodscape>{

@@ -71,6 +71,11 @@ TEST(Equivalence, EquidistantLenses) {
   expect_same(Intrinsics<Kb4>{{200, 210, 320, 240, 0.05, 0, 0, 0}}, Intrinsics<Woodscape>{{200, 0, 10, 0, 1.05, 320, 240}});
 }
 
+TEST(Equivalence, FthetaWithoutShearIsWoodscape) {
+  expect_same(Intrinsics<Woodscape>{{330, -20, 40, -6, 1.05, 650, 470}},
+              Intrinsics<Ftheta>{{330 * 1.05, -20 * 1.05, 40 * 1.05, -6 * 1.05, 0, 1 / 1.05, 0, 0, 650, 470}});
+}
+
 TEST(Equivalence, EucmWithBeta1IsUcm) {
   for (const double alpha : kAlphas) {
     SCOPED_TRACE(alpha);

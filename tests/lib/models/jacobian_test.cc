@@ -94,10 +94,14 @@ TEST(Jacobian, OnTheAxis) {
         const double du = i == kParameterCount<M> ? focal[0] / 2.0 : (of_centre && M::kParameters[i].name == "cx" ? 1.0 : 0.0);
         const double dv =
             i == kParameterCount<M> + 1 ? focal[1] / 2.0 : (of_centre && M::kParameters[i].name == "cy" ? 1.0 : 0.0);
-        // Shear (ocamcalib) mixes the axes.
+        // Shear mixes the axes: ocamcalib counts its radius along u, and u has e; ftheta counts it along v, and u has d.
         const bool along_v = i == kParameterCount<M> + 1;
-        double shear_u = along_v ? focal[0] / 2.0 * parameter(camera.intrinsics, "e").value_or(0.0) : 0.0;
-        double shear_v = i == kParameterCount<M> ? focal[0] / 2.0 * parameter(camera.intrinsics, "d").value_or(0.0) : 0.0;
+        const bool counts_along_v = M::kId == "ftheta";
+        const double radius = focal[counts_along_v ? 1 : 0] / 2.0;
+        const double of_u = parameter(camera.intrinsics, counts_along_v ? "d" : "e").value_or(0.0);
+        const double of_v = parameter(camera.intrinsics, counts_along_v ? "e" : "d").value_or(0.0);
+        double shear_u = along_v ? radius * of_u : 0.0;
+        double shear_v = i == kParameterCount<M> ? radius * of_v : 0.0;
         // So does a tilted image plane.
         const double tilt_x = std::tan(parameter(camera.intrinsics, "tau_x").value_or(0.0));
         const double tilt_y = std::tan(parameter(camera.intrinsics, "tau_y").value_or(0.0));

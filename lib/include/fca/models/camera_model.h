@@ -8,6 +8,7 @@
 #include <fca/models/eucm.h>
 #include <fca/models/fisheye624.h>
 #include <fca/models/fov.h>
+#include <fca/models/ftheta.h>
 #include <fca/models/kb4.h>
 #include <fca/models/mei.h>
 #include <fca/models/model_traits.h>
@@ -55,7 +56,7 @@ struct TypeList {
 
 /// Every model fca knows, in the order in which they are listed to people.
 using ModelList = internal::TypeList<Pinhole, Radtan, Rational, Kb4, Ucm, Eucm, Ds, Mei, Fov, Ocamcalib, Woodscape, Opencv14,
-                                     Division, ThinPrismFisheye, Fisheye624, Skewed<Radtan>, Skewed<Rational>, Skewed<Opencv14>,
+                                     Division, ThinPrismFisheye, Fisheye624, Ftheta, Skewed<Radtan>, Skewed<Rational>, Skewed<Opencv14>,
                                      Skewed<Kb4>, Skewed<Mei>>;
 
 /// Any camera model with its parameters. Compares by value.
