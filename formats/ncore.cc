@@ -10,12 +10,12 @@
 //       principal_point   ftheta: the centre of the top-left pixel is (0, 0); elsewhere it is (0.5, 0.5)
 //       focal_length, radial_coeffs, tangential_coeffs, thin_prism_coeffs    as OpenCV has them; forward_poly: radial_coeffs
 //       angle_to_pixeldist_poly, pixeldist_to_angle_poly    c0 + c1 x + ...: rad, px
-//       reference_poly    which of the two counts, 1 the second and 2 the first: the other is near it
+//       reference_poly    which of the two counts, 1 the second and 2 the first; the other is near its inverse
 //       linear_cde        pixel - principal point = [c d; e 1] r (cos, sin); all 0: [1, 0, 0]
-//       max_angle_rad     where the lens ends
+//       max_angle_rad     where the program ends the lens, here its formula does
 //     external_distortion   of a windshield, before the lens: not read, with a warning
 //
-// An f-theta lens is a polynomial of six terms, which is no model here: it is read as a table of rays.
+// By the first polynomial a lens is `ftheta`; by the second, or with a c0, it is no model here and read as a table of rays.
 #include "ncore.h"
 
 #include "fields.h"
@@ -39,6 +39,8 @@ namespace {
 
 constexpr text::Dialect kDialect = text::Dialect::kPyYaml;
 constexpr std::string_view kVehicle = "vehicle";
+constexpr std::string_view kToDistance = "angle_to_pixeldist_poly";
+constexpr std::string_view kToAngle = "pixeldist_to_angle_poly";
 
 using Numbers = std::vector<double>;
 
@@ -72,19 +74,57 @@ double grows_until(const Numbers& polynomial, double largest) {
   return largest;
 }
 
-/// An f-theta lens.
-struct Ftheta {
+/// What no derivative on [0, largest] exceeds in size.
+double steepest(const Numbers& polynomial, double largest) {
+  double slope = 0.0;
+  for (std::size_t i = polynomial.size(); i-- > 1;) slope = slope * largest + static_cast<double>(i) * std::abs(polynomial[i]);
+  return slope;
+}
+
+/// From a distance to its angle and back.
+struct Disagreement {
+  double found_px = 0.0;
+  double bound_px = 0.0;   ///< No distance ends further off.
+  double angle_rad = 0.0;  ///< As far as was asked.
+};
+
+/// For distances up to `largest_px` whose angles are no larger than `max_angle_rad`. The bound: between two samples the
+/// difference moves by no more than its steepest slope allows.
+Disagreement disagreement(const Numbers& to_distance, const Numbers& to_angle, double largest_px, double max_angle_rad) {
+  constexpr int kSteps = 1 << 17;
+  const double step = largest_px / kSteps;
+  Disagreement result;
+  double reached = 0.0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double angle = value_at(to_angle, i * step);
+    if (!(angle <= max_angle_rad)) break;
+    result.found_px = std::max(result.found_px, std::abs(value_at(to_distance, angle) - i * step));
+    result.angle_rad = std::max(result.angle_rad, angle);
+    reached = i * step;
+  }
+  const double slope = 1.0 + steepest(to_distance, result.angle_rad) * steepest(to_angle, reached);
+  result.bound_px = result.found_px + 0.5 * step * slope;
+  return result;
+}
+
+/// An f-theta lens as the file states it.
+struct Polynomials {
   std::array<double, 2> centre{};
-  Numbers polynomial;
-  bool to_angle = false;  ///< The polynomial gives the angle of a distance, else the distance of an angle.
+  Numbers to_distance;    ///< px of rad
+  Numbers to_angle;       ///< rad of px
+  bool by_angle = false;  ///< `to_angle` counts, else `to_distance`.
   std::array<double, 3> cde = {1.0, 0.0, 0.0};
   double max_angle_rad = 0.0;
-  double largest_px = 0.0;  ///< To which distance the polynomial grows.
+  double corner_px = 0.0;   ///< The distance of the furthest corner of the image.
+  double largest_px = 0.0;  ///< To which distance `to_angle` grows, up to there.
+
+  /// A ray's distance from the centre.
+  [[nodiscard]] std::optional<double> distance_of(double angle) const {
+    return by_angle ? inverse_at(to_angle, angle, largest_px) : value_at(to_distance, angle);
+  }
 
   [[nodiscard]] std::optional<Pixel> project(const Ray& ray) const {
-    const double angle = angle_from_axis(ray);
-    if (angle > max_angle_rad) return std::nullopt;
-    const std::optional<double> distance = to_angle ? inverse_at(polynomial, angle, largest_px) : value_at(polynomial, angle);
+    const std::optional<double> distance = distance_of(angle_from_axis(ray));
     if (!distance) return std::nullopt;
     const double sine = std::hypot(ray[0], ray[1]);
     const double x = sine > 0.0 ? *distance * ray[0] / sine : 0.0;
@@ -209,56 +249,114 @@ class Reading {
   }
 
   bool read_ftheta() {
-    constexpr std::string_view kToDistance = "angle_to_pixeldist_poly";
-    constexpr std::string_view kToAngle = "pixeldist_to_angle_poly";
-    Ftheta lens;
+    Polynomials lens;
     const Node* reference = reader_.require(*intrinsics_, "reference_poly", label("intrinsics"));
     const std::string which = reference != nullptr ? reader_.name(*reference, label("reference_poly")) : "";
-    lens.to_angle = which == "1" || which == "PIXELDIST_TO_ANGLE";
+    lens.by_angle = which == "1" || which == "PIXELDIST_TO_ANGLE";
     if (reference == nullptr) return false;
-    (void)reader_.find(*intrinsics_, lens.to_angle ? kToDistance : kToAngle);  // The same again, the other way round.
-    if (!lens.to_angle && which != "2" && which != "ANGLE_TO_PIXELDIST") {
+    if (!lens.by_angle && which != "2" && which != "ANGLE_TO_PIXELDIST") {
       reader_.say(*reference, Code::kTableUnknownWord, {label("reference_poly"), which, std::vector<std::string>{"1", "2"}});
       return false;
     }
-    const std::string_view key = lens.to_angle ? kToAngle : kToDistance;
-    std::optional<Numbers> polynomial = numbers(key, 0);
-    constexpr std::size_t kMostCoefficients = 6;
-    if (polynomial && polynomial->size() > kMostCoefficients) {
-      reader_.say(*reader_.find(*intrinsics_, key), Code::kNumbersWanted, {label(key), polynomial->size(), kMostCoefficients});
+    const std::optional<Numbers> centre = numbers("principal_point", lens.centre.size());
+    const std::optional<double> angle = max_angle();
+    if (!read_polynomial(kToDistance, !lens.by_angle, lens.to_distance) ||
+        !read_polynomial(kToAngle, lens.by_angle, lens.to_angle) || !centre || !angle || !read_linear(lens))
+      return false;
+    std::ranges::copy(*centre, lens.centre.begin());
+    lens.max_angle_rad = std::min(*angle, std::numbers::pi);
+    lens.corner_px = corner_distance(lens);
+    lens.largest_px = grows_until(lens.to_angle, lens.corner_px);
+    const bool is_model = !lens.by_angle && lens.to_distance.front() == 0.0;
+    if (!(is_model ? set_ftheta(lens) : set_table(lens))) return false;
+    tell_inverse(lens);
+    return true;
+  }
+
+  /// Of up to six coefficients; where it is not the one that counts, it need not be there.
+  bool read_polynomial(std::string_view key, bool counts, Numbers& polynomial) {
+    const Node* node = counts ? reader_.require(*intrinsics_, key, label("intrinsics")) : reader_.find(*intrinsics_, key);
+    if (node == nullptr) return !counts;
+    std::optional<Numbers> coefficients = reader_.reals(*node, 0, label(key));
+    if (!coefficients) return false;
+    constexpr std::size_t kMost = 6;
+    if (coefficients->empty() || coefficients->size() > kMost) {
+      reader_.say(*node, Code::kNumbersWanted, {label(key), coefficients->size(), kMost});
       return false;
     }
-    const std::optional<Numbers> centre = numbers("principal_point", lens.centre.size());
-    const std::optional<Numbers> angle = max_angle();
-    if (!polynomial || !centre || !angle || !read_linear(lens)) return false;
-    lens.polynomial = *std::move(polynomial);
-    std::ranges::copy(*centre, lens.centre.begin());
-    lens.max_angle_rad = std::min(angle->front(), std::numbers::pi);
-    if (lens.to_angle) {
-      const auto [width, height] = *camera_.image_size;
-      lens.largest_px = grows_until(lens.polynomial, 2.0 * std::hypot(width, height));
+    polynomial = *std::move(coefficients);
+    return true;
+  }
+
+  [[nodiscard]] double corner_distance(const Polynomials& lens) const {
+    const auto [width, height] = *camera_.image_size;
+    const auto& [c, d, e] = lens.cde;
+    double furthest = 0.0;
+    for (const double u : {-0.5, width - 0.5}) {
+      for (const double v : {-0.5, height - 0.5}) {
+        const double du = u - lens.centre[0];
+        const double dv = v - lens.centre[1];
+        furthest = std::max(furthest, std::hypot(du - d * dv, c * dv - e * du) / std::abs(c - d * e));
+      }
     }
+    return furthest;
+  }
+
+  /// How far the two polynomials are from each other's inverse, as far as the program uses them.
+  void tell_inverse(const Polynomials& lens) {
+    if (lens.to_distance.empty() || lens.to_angle.empty() || !std::isfinite(lens.corner_px)) return;
+    const Disagreement found = disagreement(lens.to_distance, lens.to_angle, lens.largest_px, lens.max_angle_rad);
+    const std::string counts(lens.by_angle ? kToAngle : kToDistance);
+    const std::string other(lens.by_angle ? kToDistance : kToAngle);
+    const Node& node = *reader_.find(*intrinsics_, other);
+    const double angle_deg = found.angle_rad * 180.0 / std::numbers::pi;
+    const std::string numbers = fields::value_text(node);
+    rig_.extra_fields.push_back(
+        {camera_.name, other, numbers, {Code::kNcoreInverse, {found.bound_px, counts, angle_deg, numbers}}});
+    constexpr double kFar = 1.0;  // px
+    if (!(found.found_px <= kFar))
+      reader_.say(node, Code::kNcoreInverseFarOff, {camera_.name, other, found.found_px, counts, angle_deg});
+  }
+
+  bool set_ftheta(const Polynomials& lens) {
+    constexpr std::array<ParameterId, 5> kRadial = {"k1", "k2", "k3", "k4", "k5"};
+    constexpr std::array<ParameterId, 3> kLinear = {"c", "d", "e"};
+    constexpr std::array<ParameterId, 2> kCentre = {"cx", "cy"};
+    camera_.model = make_model("ftheta").value();
+    const Node& list = *reader_.find(*intrinsics_, kToDistance);
+    for (std::size_t i = 1; i < lens.to_distance.size(); ++i) {
+      if (!reader_.parameter(list.items[i], label(kToDistance), kRadial.at(i - 1), lens.to_distance[i], camera_.model))
+        return false;
+    }
+    for (std::size_t i = 0; i < kLinear.size(); ++i) set_parameter(camera_.model, kLinear.at(i), lens.cde.at(i));
+    return set_all("principal_point", {lens.centre.begin(), lens.centre.end()}, kCentre);
+  }
+
+  bool set_table(const Polynomials& lens) {
+    const double end = lens.by_angle ? value_at(lens.to_angle, lens.largest_px) : lens.max_angle_rad;
     std::optional<Camera> table = measured(
-        camera_, [&lens](const Ray& ray) { return lens.project(ray); }, lens.max_angle_rad);
+        camera_, [&lens](const Ray& ray) { return lens.project(ray); }, std::min(end, std::numbers::pi));
     if (!table) {
-      reader_.say(*reader_.find(*intrinsics_, key), Code::kLensWithoutTable, {camera_.name, kFewestRays});
+      const Node& polynomial = *reader_.find(*intrinsics_, lens.by_angle ? kToAngle : kToDistance);
+      reader_.say(polynomial, Code::kLensWithoutTable, {camera_.name, kFewestRays});
       return false;
     }
     camera_ = *std::move(table);
     return true;
   }
 
-  std::optional<Numbers> max_angle() {
+  std::optional<double> max_angle() {
     for (const std::string_view key : {"max_angle", "max_angle_rad"}) {
       const Node* node = reader_.find(*intrinsics_, key);
-      const std::optional<double> angle = node != nullptr ? reader_.positive(*node, label(key)) : std::nullopt;
-      if (node != nullptr) return angle ? std::optional(Numbers{*angle}) : std::nullopt;
+      if (node == nullptr) continue;
+      rig_.extra_fields.push_back({camera_.name, std::string(key), fields::value_text(*node)});
+      return reader_.positive(*node, label(key));
     }
     reader_.say(*intrinsics_, Code::kKeyMissing, {label("intrinsics"), "max_angle"});
     return std::nullopt;
   }
 
-  bool read_linear(Ftheta& lens) {
+  bool read_linear(Polynomials& lens) {
     const Node* node = reader_.find(*intrinsics_, "linear_cde");
     if (node == nullptr) return true;
     const std::optional<Numbers> cde = reader_.reals(*node, lens.cde.size(), label("linear_cde"));

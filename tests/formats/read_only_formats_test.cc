@@ -270,13 +270,14 @@ TEST(Ncore, TwoConventionsOfPixelsAndPosesInTheVehicle) {
     return Pixel{500.0 + 0.99 * x + 0.001 * y, 400.0 + 0.002 * x + y};
   };
   const auto angle_of = [](const Ray& ray) { return std::atan2(std::hypot(ray[0], ray[1]), ray[2]); };
+  EXPECT_EQ(model_info(outcome.camera("forwards").model).id, "ftheta");
   expect_pixels(
       outcome.camera("forwards"),
       [&](const Ray& ray) {
         const double t = angle_of(ray);
         return linear(ray, 600.0 * t - 10.0 * t * t + 5.0 * std::pow(t, 3) + std::pow(t, 5));
       },
-      0.0);
+      68.0);
   // t = 0.0016 r + 1e-8 r^2, solved for r.
   expect_pixels(
       outcome.camera("backwards"),
@@ -285,6 +286,46 @@ TEST(Ncore, TwoConventionsOfPixelsAndPosesInTheVehicle) {
         return linear(ray, 2.0 * t / (0.0016 + std::sqrt(0.0016 * 0.0016 + 4e-8 * t)));
       },
       0.0);
+}
+
+/// Of an f-theta camera of 2000 x 1600 pixels whose polynomial from angle to distance is 500 angle.
+Outcome equidistant_ncore(const std::string& to_angle, const std::string& reference) {
+  return read("rig.json",
+              R"({"cam": {"camera_model_type": "ftheta", "resolution": [2000, 1600], "intrinsics": {
+      "principal_point": [999.5, 799.5], "angle_to_pixeldist_poly": [0.0, 500.0], "pixeldist_to_angle_poly": )" +
+                  to_angle + R"(, "reference_poly": ")" + reference + R"(", "max_angle_rad": 2.0}}})",
+              "ncore");
+}
+
+// 0.0020002 px of angle times 500 is 1.0001: after 1,000 px, or 2.0002 rad, 0.1 px.
+TEST(Ncore, TheInverseIsBoundByWhatItIsOff) {
+  const Outcome near = equidistant_ncore("[0.0, 0.0020002]", "2");
+  ASSERT_TRUE(near.calibration);
+  EXPECT_TRUE(near.diagnostics.entries().empty());
+  const ExtraField* inverse = near.calibration->rig.find_extra_field("cam", "pixeldist_to_angle_poly");
+  ASSERT_NE(inverse, nullptr);
+  ASSERT_EQ(inverse->said.code, Code::kNcoreInverse);
+  const double bound = std::get<double>(inverse->said.arguments.front().value);
+  EXPECT_GE(bound, 0.1 * (1.0 - 1e-3));
+  EXPECT_LE(bound, 0.12);
+
+  const Outcome far = equidistant_ncore("[0.0, 0.0021]", "2");
+  ASSERT_EQ(far.diagnostics.entries().size(), 1U);
+  EXPECT_EQ(far.diagnostics.entries().front().facts.code, Code::kNcoreInverseFarOff);
+}
+
+// The polynomial from distance to angle says where every pixel looks, whatever ends the lens in the program.
+TEST(Ncore, ATableReachesTheCorners) {
+  const Outcome outcome = equidistant_ncore("[0.0, 0.0022]", "1");
+  ASSERT_TRUE(outcome.calibration);
+  const Camera& camera = outcome.camera("cam");
+  ASSERT_FALSE(camera.rays.empty());
+  const auto furthest = std::ranges::max_element(camera.rays, {}, [](const Correspondence& entry) {
+    return std::abs(entry.pixel[0] - 999.5) + std::abs(entry.pixel[1] - 799.5);
+  });
+  EXPECT_GE(std::abs(furthest->pixel[0] - 999.5), 0.97 * 1000.0);
+  EXPECT_GE(std::abs(furthest->pixel[1] - 799.5), 0.97 * 800.0);
+  EXPECT_GE(angle_from_axis(furthest->ray), 2.2);
 }
 
 TEST(Kitti, RecordedCamerasAndTheirPoses) {

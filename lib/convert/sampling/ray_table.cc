@@ -67,6 +67,18 @@ std::vector<Sighting> sightings_along(const Projection& projection, const Pixel&
   return line;
 }
 
+/// About the axis: evenly, and those of the image's corners; ascending.
+std::vector<double> directions_from(const Pixel& centre, const ImageSize& size) {
+  constexpr int kEvenly = 64;
+  std::vector<double> azimuths;
+  for (int i = 0; i < kEvenly; ++i) azimuths.push_back(2.0 * std::numbers::pi * (i + 0.5) / kEvenly - std::numbers::pi);
+  for (const double u : {-0.5, size.width - 0.5}) {
+    for (const double v : {-0.5, size.height - 0.5}) azimuths.push_back(std::atan2(v - centre[1], u - centre[0]));
+  }
+  std::ranges::sort(azimuths);
+  return azimuths;
+}
+
 bool is_in(const ImageSize& size, const Pixel& pixel) {
   return pixel[0] >= -0.5 && pixel[1] >= -0.5 && pixel[0] <= size.width - 0.5 && pixel[1] <= size.height - 0.5;
 }
@@ -74,14 +86,16 @@ bool is_in(const ImageSize& size, const Pixel& pixel) {
 }  // namespace
 
 std::optional<Camera> measured(Camera camera, const Projection& projection, double max_angle_rad) {
-  constexpr int kDirections = 64;
   constexpr int kRadii = 40;
   const std::optional<Pixel> centre = projection({0.0, 0.0, 1.0});
   if (!centre || !camera.image_size) return std::nullopt;
   camera.rays.clear();
-  for (int i = 0; i < kDirections; ++i) {
-    std::vector<Sighting> line =
-        sightings_along(projection, *centre, 2.0 * std::numbers::pi * (i + 0.5) / kDirections, max_angle_rad);
+  const std::vector<double> azimuths = directions_from(*centre, *camera.image_size);
+  for (std::size_t i = 0; i < azimuths.size(); ++i) {
+    const double turn = 2.0 * std::numbers::pi;
+    const double before_it = i > 0 ? azimuths[i - 1] : azimuths.back() - turn;
+    const double behind_it = i + 1 < azimuths.size() ? azimuths[i + 1] : azimuths.front() + turn;
+    std::vector<Sighting> line = sightings_along(projection, *centre, azimuths[i], max_angle_rad);
     while (!line.empty() && !is_in(*camera.image_size, line.back().entry.pixel)) line.pop_back();
     if (line.empty()) continue;
     const double furthest = line.back().radius_px;
@@ -90,7 +104,7 @@ std::optional<Camera> measured(Camera camera, const Projection& projection, doub
       if (sighting.radius_px - before < furthest / kRadii && &sighting != &line.back()) continue;
       if (is_in(*camera.image_size, sighting.entry.pixel)) {
         camera.rays.push_back(sighting.entry);
-        camera.rays.back().weight = sighting.radius_px * (sighting.radius_px - before);
+        camera.rays.back().weight = sighting.radius_px * (sighting.radius_px - before) * (behind_it - before_it);
       }
       before = sighting.radius_px;
     }

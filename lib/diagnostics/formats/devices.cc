@@ -41,6 +41,9 @@ std::span<const CodeInfo> device_codes() {
       warning(Code::kNcoreGlass, "lens-in-doubt",
               "{0} looks through a windshield that bends its rays (external_distortion), and fca-io reads the lens without it",
               "measure the pixels of rays with NCore's own code, windshield included, and read them as a table of rays"),
+      warning(Code::kNcoreInverseFarOff, "stale-inverse",
+              "{0}: {1} is up to {2:.3} px from the inverse of {3}, up to {4:.3} degrees. fca-io reads {3}",
+              "ask whoever wrote the file which one is right: a program that uses {1} sees another lens"),
       note(Code::kRealsenseInverseModel, "lens-in-doubt",
            "{0} says {1} with coefficients that are not 0. It is read as Brown Conrady from ray to pixel, as "
            "today's librealsense and its ROS driver do; older versions took it from pixel to ray"),
@@ -52,6 +55,7 @@ std::span<const CodeInfo> device_codes() {
               "nothing, if the pose of Infrared 2 to Infrared 1 is that of the device; else ask a newer librealsense"),
       note(Code::kRealsenseDepthIsInfrared, "program-ignores",
            "{0} is left out: it has the lens and the place of {1}, from whose images it is computed"),
+      clause(Code::kNcoreInverse, "within {0:.2} px of the inverse of {1}, proven up to {2:.3} degrees: {3}"),
       clause(Code::kRealsenseFound, "Intrinsic of a stream, as rs-enumerate-devices -c prints it"),
   };
   return kRows;

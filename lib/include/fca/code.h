@@ -736,6 +736,8 @@ enum class Code : std::uint16_t {
   kRealsenseDepthIsInfrared,
   kRealsenseFound,
   kNcoreGlass,
+  kNcoreInverse,
+  kNcoreInverseFarOff,
 
   // A file for each sensor, as EuRoC and Kimera have them, read and written.
   kEurocFisheye,
