@@ -111,7 +111,7 @@ class Comparison {
         camera_(camera),
         written_(written),
         reader_(reader),
-        is_kept_(camera.rays.empty() && camera.model == written),
+        is_kept_(camera.model == written),
         last_cosine_(cosine_of(limits.asked)),
         last_fitted_cosine_(cosine_of(limits.fitted)) {}
 

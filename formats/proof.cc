@@ -158,6 +158,17 @@ Comparison compare_camera(const Camera& ours, const consumers::ConsumerCamera& t
   return result;
 }
 
+/// The same of a lens that is known by rays alone: of those.
+Comparison compare_table(const Camera& ours, const consumers::ConsumerCamera& theirs, double tolerance, double max_angle_rad) {
+  Comparison result;
+  for (const Correspondence& entry : ours.rays) {
+    if (angle_from_axis(entry.ray) > max_angle_rad) continue;
+    const double area = entry.weight * kImageArea;
+    compare_pixel(entry.pixel, entry.ray, theirs, {area, area}, tolerance, result);
+  }
+  return result;
+}
+
 /// Programs count their cameras; the rig may name them otherwise.
 std::string name_in(const Rig& rig, const consumers::ConsumerView& view, const std::string& name) {
   for (std::size_t i = 0; i < std::min(rig.cameras.size(), view.cameras.size()); ++i) {
@@ -261,7 +272,8 @@ ProofResult proof_of(const consumers::Consumer& consumer, const consumers::Consu
   std::vector<CameraDistance> distances(comparisons.size());
   each_camera(comparisons.size(), [&](std::size_t i) {
     const Camera& camera = rig.cameras[i];
-    comparisons[i] = compare_camera(camera, view.cameras[i], consumer.tolerance_px, max_angle_rad);
+    const auto compare = camera.rays.empty() ? compare_camera : compare_table;
+    comparisons[i] = compare(camera, view.cameras[i], consumer.tolerance_px, max_angle_rad);
     const auto before = std::ranges::find(calibrated, camera.name,
                                           [](const CalibratedCamera& each) -> const std::string& { return each.camera.name; });
     const bool was_fitted = before != calibrated.end();

@@ -227,6 +227,25 @@ ConsumerCamera empty_camera(const Common& common, const std::string& name, const
   return camera;
 }
 
+/// An image of all directions: its columns are longitudes, its rows latitudes.
+ConsumerCamera panorama_of(const Common& common) {
+  constexpr double kPi = 3.14159265358979323846;
+  ConsumerCamera camera = empty_camera(common, "cam0", common.model);
+  const double cols = common.cols;
+  const double rows = common.rows;
+  camera.project = [cols, rows](const std::array<double, 3>& ray) -> std::optional<std::array<double, 2>> {
+    const double latitude = -std::asin(ray[1] / std::sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]));
+    const double longitude = std::atan2(ray[0], ray[2]);
+    return std::array{cols * (0.5 + longitude / (2.0 * kPi)), rows * (0.5 - latitude / kPi)};
+  };
+  camera.unproject = [cols, rows](const std::array<double, 2>& pixel) -> std::optional<std::array<double, 3>> {
+    const double longitude = (pixel[0] / cols - 0.5) * (2.0 * kPi);
+    const double latitude = -(pixel[1] / rows - 0.5) * kPi;
+    return std::array{std::cos(latitude) * std::sin(longitude), -std::sin(latitude), std::cos(latitude) * std::cos(longitude)};
+  };
+  return camera;
+}
+
 /// The block Camera; `K`: its matrix.
 ConsumerCamera read_camera(Block& block, const Common& common, opencv::CameraMatrix& K) {
   ConsumerCamera camera = empty_camera(common, "cam0", common.model);
@@ -304,7 +323,11 @@ void read(const YAML::Node& root, const Program& program, ConsumerView& view) {
     return;
   }
   const Common common = read_common(block);
-  if (!view.loads() || common.model == "equirectangular") return;
+  if (!view.loads()) return;
+  if (common.model == "equirectangular") {
+    view.cameras.push_back(panorama_of(common));
+    return;
+  }
   opencv::CameraMatrix K;
   ConsumerCamera camera = read_camera(block, common, K);
   const double product = real(block.find("focal_x_baseline")).value_or(0.0);

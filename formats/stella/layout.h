@@ -6,6 +6,7 @@
 //     name, setup         any text; monocular, stereo or RGBD
 //     model               perspective (fx fy cx cy k1 k2 p1 p2 k3: OpenCV's), fisheye (k1 k2 k3 k4: cv::fisheye's),
 //                         radial_division (distortion: a pixel's ray is (x, y, 1 + distortion r^2)), equirectangular
+//                         (cols and rows alone: a table of rays here, which is kept where its file is edited)
 //     fps, cols, rows
 //     focal_x_baseline    fx [px] times the distance [m] of a rectified pair, or of a depth sensor's virtual second camera
 //     depth_threshold, color_order (Gray, RGB, BGR)   may be missing
@@ -37,6 +38,9 @@ inline constexpr text::Dialect kDialect = text::Dialect::kOpenCv;
 inline constexpr std::string_view kProgram = "stella_vslam";
 inline constexpr std::string_view kCamera = "Camera";
 inline constexpr std::string_view kRectifier = "StereoRectifier";
+
+/// A model without numbers.
+inline constexpr std::string_view kPanorama = "equirectangular";
 
 inline constexpr std::string_view kStereo = "stereo";
 inline constexpr std::string_view kDepth = "RGBD";

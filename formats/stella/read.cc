@@ -3,6 +3,7 @@
 #include "stella.h"
 
 #include "../fields.h"
+#include "../panorama.h"
 #include "../ros/layout.h"
 
 #include <fca/code.h>
@@ -103,11 +104,15 @@ class ConfigReader {
     if (style_ == Style::kNested) reader_.warn_of_duplicates(*text::find(document_.root(), kCamera, kDialect));
     Camera camera;
     camera.name = "cam0";
-    bool good = read_lens(camera.model);
+    const Node* model = camera_.find("model");
+    const bool is_panorama = model != nullptr && model->value == kPanorama;
+    bool good = is_panorama || read_lens(camera.model);
     good = read_image(camera) && good;
     read_words(rig);
     if (!good) return std::nullopt;
-    if (rectifier_.is_there()) {
+    if (is_panorama) {
+      rig.cameras.push_back(panorama(std::move(camera)));
+    } else if (rectifier_.is_there()) {
       good = read_pair(camera, rig);
     } else {
       good = read_baseline(camera, rig);
@@ -123,10 +128,6 @@ class ConfigReader {
   bool read_lens(CameraModel& model) {
     const Node* name = camera_.require("model");
     if (name == nullptr) return false;
-    if (name->value == "equirectangular") {
-      reader_.say(*name, Code::kSlamModelNotRead, {kProgram, name->value, Message{Code::kColmapEquirectangular}});
-      return false;
-    }
     const Lens* lens = find_lens(name->value);
     if (lens == nullptr) {
       reader_.say(*name, Code::kTableUnknownWord, {camera_.label("model"), name->value.substr(0, kShown), lens_names()});

@@ -189,6 +189,13 @@ bool are_storable(const Rig& rig, const Target& target, const Rig* old, Diagnost
   return good;
 }
 
+/// Is what the file has, if that is a panorama, what is to be written?
+bool keeps_panorama(const Rig& there, const Rig& rig) {
+  const Camera& before = there.cameras.front();
+  const Camera& now = rig.cameras.front();
+  return before.rays == now.rays && (before.rays.empty() || before.image_size == now.image_size);
+}
+
 void list_losses(const Rig& rig, const Target& target, std::vector<Loss>& losses) {
   const Message no_place{Code::kFilesHaveNoPlace, {kProgram}};
   const std::size_t used = target.pair ? 2 : 1;
@@ -267,7 +274,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   target.pair = is_pair(rig, why_not);
   const std::optional<double> rate = options.frame_rate_hz ? options.frame_rate_hz : rig.cameras.front().frame_rate_hz;
   target.frame_rate_hz = rate.value_or(kStockRate);
-  const bool keeps_text = there && !options.anew && (there->cameras.size() > 1) == target.pair;
+  const bool keeps_text = there && !options.anew && (there->cameras.size() > 1) == target.pair && keeps_panorama(*there, rig);
   const text::Document* const edits = keeps_text ? base : nullptr;
   if (!are_storable(rig, target, edits != nullptr ? &*there : nullptr, diagnostics)) return std::nullopt;
 

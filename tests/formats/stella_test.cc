@@ -51,6 +51,26 @@ TEST(Stella, ADivisionLensBendsAsTheProgramSays) {
   EXPECT_NEAR((*ray)[1] / (*ray)[2], y / z, 1e-14);
 }
 
+// Columns are longitudes from -180 to 180 degrees, rows latitudes from 90 up to 90 down.
+TEST(Stella, APanoramaIsATableAndStaysInItsFile) {
+  const std::string bytes = good("good/equirectangular.yaml");
+  const Rig rig = calibration_of(bytes, "panorama.yaml").rig;
+  const Camera& camera = rig.cameras.front();
+  ASSERT_GE(camera.rays.size(), 2000U);
+  for (const Correspondence& entry : camera.rays) {
+    EXPECT_NEAR(entry.pixel[0], 960.0 + std::atan2(entry.ray[0], entry.ray[2]) * 960.0 / std::acos(-1.0), 1e-9);
+    EXPECT_NEAR(entry.pixel[1], 480.0 + std::asin(entry.ray[1]) * 960.0 / std::acos(-1.0), 1e-9);
+  }
+  const text::Document base = document_of(bytes, "panorama.yaml");
+  EXPECT_EQ(written_of(&base, rig).files.front().document.bytes(), bytes);
+  Rig faster = rig;
+  faster.cameras.front().frame_rate_hz = 25.0;
+  std::string expected = bytes;
+  expected.replace(expected.find("30.0"), 4, "25.0");
+  EXPECT_EQ(written_of(&base, faster).files.front().document.bytes(), expected);
+  expect_proven(written_of(&base, rig), rig, "stella");
+}
+
 TEST(Stella, FocalTimesBaselineIsInPixelsTimesMetres) {
   const Rig pair = calibration_of(good("good/stereo.yaml"), "stereo.yaml").rig;
   ASSERT_EQ(pair.cameras.size(), 1U);

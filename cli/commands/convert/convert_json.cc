@@ -168,9 +168,9 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, std::span<const t
       json.put("name", camera.name());
       json.put("input_name", camera.source.name);
       json.put("from_model", camera.source.lens_id());
-      json.put("to_model", model_info(camera.target.model).id);
+      json.put("to_model", camera.target.lens_id());
       json.put("exact", !camera.report || camera.report->exact);
-      put_parameters(json, camera.target.model);
+      camera.target.rays.empty() ? put_parameters(json, camera.target.model) : json.object("parameters", [] {});
       if (camera.report) {
         put_report(json, *camera.report);
       } else {

@@ -31,7 +31,7 @@ std::string left_out_in_words(const ConvertedCamera& camera) {
 
 std::string models_in_words(const ConvertedCamera& camera) {
   const std::string from(camera.source.lens_id());
-  const std::string to(model_info(camera.target.model).id);
+  const std::string to(camera.target.lens_id());
   if (from == to && camera.source.model == camera.target.model) return from;
   if (from == to) return from + left_out_in_words(camera);
   const int degree = camera.report ? camera.report->degree : 0;

@@ -20,7 +20,7 @@ std::string models(const ConvertOutcome& outcome) {
   std::vector<std::string> said;
   for (const ConvertedCamera& camera : outcome.cameras) {
     const std::string from(camera.source.lens_id());
-    const std::string to(model_info(camera.target.model).id);
+    const std::string to(camera.target.lens_id());
     const std::string one = from == to ? to : from + " -> " + to;
     if (std::ranges::find(said, one) == said.end()) said.push_back(one);
   }

@@ -254,12 +254,12 @@ std::optional<std::vector<ConvertedCamera>> all_cameras(const std::vector<Camera
   }
 
   // What a program holds in one type for all cameras is chosen for all; else each that can keeps its own, and the others take
-  // one.
+  // one. What no model is has no type.
   std::vector<Camera> to_fit;
   std::vector<bool> is_fitted(cameras.size());
   const std::span<const Camera> used = std::span(cameras).first(std::min(cameras.size(), choice.most_cameras));
   for (std::size_t i = 0; i < used.size(); ++i) {
-    is_fitted[i] = format.one_model || !kept_row(used[i], format, choice);
+    is_fitted[i] = (format.one_model && used[i].rays.empty()) || !kept_row(used[i], format, choice);
     if (is_fitted[i]) to_fit.push_back(used[i]);
   }
   std::optional<std::vector<ConvertedCamera>> fitted = std::vector<ConvertedCamera>();

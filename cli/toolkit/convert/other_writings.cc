@@ -67,21 +67,21 @@ double sum_of_rms_px(const ConvertResult& result) {
 }
 
 OtherWriting named(const ConvertResult& result, std::string layout) {
-  const std::string_view model = result.cameras.empty() ? "" : model_info(result.cameras.front().target.model).id;
+  const std::string_view model = result.cameras.empty() ? "" : result.cameras.front().target.lens_id();
   if (layout.empty() && !result.to->layouts.empty()) layout = result.to->layouts.front();
   return {std::move(layout), std::string(model), worst_rms_px(result), worst_max_px(result)};
 }
 
 bool has_same_models(const ConvertResult& a, const ConvertResult& b) {
   return std::ranges::equal(a.cameras, b.cameras, [](const ConvertedCamera& x, const ConvertedCamera& y) {
-    return model_info(x.target.model).id == model_info(y.target.model).id;
+    return x.target.lens_id() == y.target.lens_id();
   });
 }
 
 /// Does the layout store the models that the cameras have?
 bool stores_models(const Format& to, std::string_view layout, const ConvertResult& result) {
   return std::ranges::all_of(result.cameras, [&](const ConvertedCamera& camera) {
-    return layout_stores(to, layout, model_info(camera.target.model).id);
+    return layout_stores(to, layout, camera.target.lens_id());
   });
 }
 
@@ -116,7 +116,7 @@ double largest_share_lost(const ConvertResult& result) {
 bool is_cut_by_program(const ConvertedCamera& camera, const std::vector<CameraProof>& seen) {
   const auto proof = std::ranges::find(seen, camera.source.name, &CameraProof::name);
   if (proof == seen.end() || !camera.report) return false;
-  if (model_info(camera.source.model).id == model_info(camera.target.model).id) return false;
+  if (camera.source.lens_id() == camera.target.lens_id()) return false;
   // Beyond what was scored the model has no right ray either, by its formula or because it was fitted to less.
   return share_lost(*proof) > 1.0 - camera.report->judgement.coverage.scored + kSameShare;
 }
@@ -235,7 +235,7 @@ void try_other_models(const ConvertRequest& request, const Start& start, const C
   for (const StoredModel& stored : result.to->models) {
     // Cameras that the program reads whole keep their model.
     const auto stays = [&](const ConvertedCamera& camera) {
-      return model_info(camera.target.model).id == stored.model || is_cut(camera);
+      return camera.target.lens_id() == stored.model || is_cut(camera);
     };
     if (!may_be_chosen(stored, choice) || !std::ranges::all_of(result.cameras, stays)) continue;
     other.model = find_model(stored.model);

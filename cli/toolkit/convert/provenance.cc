@@ -51,7 +51,7 @@ bool is_ours(std::string_view line) {
 /// "cam0: ds -> kb4, rms 0.000232 px, max 0.00129 px up to 97.5 deg from the axis"
 std::string camera_line(const ConvertedCamera& camera, bool other_images) {
   const std::string from(camera.source.lens_id());
-  const std::string to(model_info(camera.target.model).id);
+  const std::string to(camera.target.lens_id());
   std::string text = name_in_words(camera) + ": ";
   if (camera.source.model == camera.target.model)
     return text + to + ", " + std::string(kKept) + (other_images ? " for the changed images" : "");
