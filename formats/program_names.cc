@@ -33,6 +33,7 @@ constexpr std::array kKimera = {Name("kimera-vio"), Name("kimera-multi"), Name("
 constexpr std::array kSvo = {Name("svo"), Name("svo-pro"), Name("vikit"), Name("rpg"), Name("ultimate-slam")};
 constexpr std::array kMaplab = {Name("maplab"), Name("rovioli")};
 constexpr std::array kOkvis2 = {Name("okvis2")};
+constexpr std::array kOkvis1 = {Name("okvis1")};
 constexpr std::array kOkvis2X = {Name("okvis2-x")};
 constexpr std::array kColmap = {Name("pycolmap"),
                                 Name("glomap"),
@@ -103,7 +104,8 @@ constexpr std::array kNames = {
     ProgramName{kEuroc, "EuRoC", "euroc"},
     ProgramName{kCuvslam, "cuVSLAM", "euroc", "", "", "", "cuvslam"},
     ProgramName{kKimera, "Kimera", "kimera"},
-    ProgramName{kOkvis2, "OKVIS2", "okvis"},
+    ProgramName{.names = kOkvis2, .title = "OKVIS2", .format = "okvis", .consumer = "okvis2"},
+    ProgramName{.names = kOkvis1, .title = "OKVIS", .format = "okvis", .layout = "okvis1", .consumer = "okvis"},
     ProgramName{.names = kOkvis2X, .title = "OKVIS2-X", .format = "okvis", .consumer = "okvis2-x"},
     ProgramName{kSvo, "SVO", "ncamera"},
     ProgramName{.names = kMaplab, .title = "maplab", .format = "ncamera", .consumer = "maplab"},

@@ -82,7 +82,7 @@ void add_cameras(const ProofResult& proof, std::vector<Reason>& reasons) {
   }
 }
 
-std::vector<Message> facts_of(const std::vector<consumers::Complaint>& complaints) {
+std::vector<Message> facts_of(std::span<const consumers::Complaint> complaints) {
   std::vector<Message> messages;
   messages.reserve(complaints.size());
   for (const consumers::Complaint& complaint : complaints) messages.push_back(complaint.facts);
@@ -136,7 +136,11 @@ void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
       continue;
     }
     const VerdictWord word = weighed(VerdictWord::kDoNotUse, proof.is_first);
-    reasons.push_back({word, {Code::kVerdictRefused, {proof.program, facts_of(proof.refusals)}}});
+    constexpr std::size_t kMostSaid = 4;
+    const std::size_t said = std::min(kMostSaid, proof.refusals.size());
+    std::vector<Message> more;
+    if (said < proof.refusals.size()) more.push_back({Code::kAndMore, {proof.refusals.size() - said}});
+    reasons.push_back({word, {Code::kVerdictRefused, {proof.program, facts_of(std::span(proof.refusals).first(said)), more}}});
   }
 }
 

@@ -227,12 +227,17 @@ class ProgramsCheck {
       return;
     }
     if (raise_wrong_parser()) return;
-    for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i) say_refusal(own, *fewest, refusals[i]);
-    say_more(refusals.size(), Code::kProgramRefusesMore);
+    // One that lacks that much is laid out for another program.
+    const bool is_for_another =
+        refusals.size() > kMostSaid && std::ranges::any_of(report_.readers.programs, &Readers::Program::loads);
+    const std::size_t most = is_for_another ? 1 : kMostSaid;
+    for (std::size_t i = 0; i < std::min(most, refusals.size()); ++i) say_refusal(own, *fewest, refusals[i]);
+    if (is_for_another) report_.findings.back().remedy = how_to_write_for(own);
+    say_more(refusals.size(), most, Code::kProgramRefusesMore);
   }
 
-  void say_more(std::size_t count, Code code) {
-    if (count > kMostSaid) findings_.add(code, {count - kMostSaid}, whole_file());
+  void say_more(std::size_t count, std::size_t said, Code code) {
+    if (count > said) findings_.add(code, {count - said}, whole_file());
   }
 
   /// With the wrong parser chosen every key is missing: one reason for all refusals, which the reader has said.
@@ -283,7 +288,7 @@ class ProgramsCheck {
       }
       say(std::move(finding), own, attempt, warning);
     }
-    say_more(view.warnings.size(), Code::kProgramMisreadsMore);
+    say_more(view.warnings.size(), kMostSaid, Code::kProgramMisreadsMore);
   }
 
   /// As far as the program's pixels of the camera are off that the warning is about; where no warning names that camera, it may

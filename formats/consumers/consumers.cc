@@ -227,6 +227,7 @@ constexpr std::array kConsumers{
              .format = "okvis",
              .tolerance_px = kDoublePrecisionPx,
              .load = &in_own_locale<&load_okvis>,
+             .writing = {.layout = "okvis1"},
              .source = "ethz-asl/okvis@16181c8",
              .prepare = &prepare_storage_programs},
     Consumer{.id = "svo",

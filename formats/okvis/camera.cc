@@ -122,7 +122,11 @@ std::vector<Statement> write_distortion(const Subject& subject, const Key& key) 
                         {FactKind::kModel});
 }
 
+/// The first program reads a few keys, and a fresh file has no others.
+bool is_fresh_of_first(const Subject& subject) { return subject.fresh != nullptr && &subject.schema == &kOkvis1; }
+
 std::vector<Statement> write_camera_model(const Subject& subject, const Key& key) {
+  if (is_fresh_of_first(subject)) return {};
   return schema::states(fields::scalar(key.text(), std::string(is_eucm(subject.the_camera().model) ? kEucm : kPinhole)),
                         {FactKind::kModel});
 }
@@ -164,7 +168,7 @@ constexpr std::string_view kWordCharacters = "abcdefghijklmnopqrstuvwxyz+-";
 
 /// A word that a file with it had, else the usual one.
 std::vector<Statement> write_word(const Subject& subject, const Key& key) {
-  if (subject.fresh == nullptr) return {};
+  if (subject.fresh == nullptr || is_fresh_of_first(subject)) return {};
   const std::string& camera = subject.the_camera().name;
   const ExtraField* kept = subject.rig.find_extra_field(camera, key.text());
   const bool is_word =

@@ -36,6 +36,13 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   return schema::read(kTable, documents, options, diagnostics);
 }
 
+constexpr std::string_view kFirstLayout = "okvis1";
+constexpr std::array<std::string_view, 2> kLayouts = {"okvis2", kFirstLayout};
+
+std::string_view layout_of(const text::Document& document) {
+  return is_first_generation(document) ? kFirstLayout : kLayouts.front();
+}
+
 bool says_camera_models(const text::Document& document) {
   const Node* cameras = text::find(document.root(), "cameras", kTable.dialect);
   return cameras != nullptr && std::ranges::all_of(cameras->items, [](const Node& camera) {
@@ -44,9 +51,9 @@ bool says_camera_models(const text::Document& document) {
 }
 
 /// OKVIS has no EUCM.
-bool layout_holds(const text::Document& document, std::string_view model) {
-  return model != kEucm || !is_first_generation(document);
-}
+bool layout_stores(std::string_view layout, std::string_view model) { return model != kEucm || layout != kFirstLayout; }
+
+bool layout_holds(const text::Document& document, std::string_view model) { return layout_stores(layout_of(document), model); }
 
 bool all_held(const text::Document& document, const Rig& rig) {
   return std::ranges::all_of(rig.cameras,
@@ -65,9 +72,9 @@ bool has_sections(const text::Document& document, const Rig& rig) {
 
 std::vector<std::string> programs_of(const text::Document& document, const Rig& rig, bool fresh) {
   const bool eucm = std::ranges::any_of(rig.cameras, [](const Camera& camera) { return model_info(camera.model).id == kEucm; });
+  if (is_first_generation(document)) return {"okvis"};
   if (eucm) return {"okvis2-x"};
   if (fresh) return {"okvis2", "okvis2-x"};
-  if (is_first_generation(document)) return {"okvis"};
   if (says_camera_models(document)) return {"okvis2-x", "okvis2"};
   return {"okvis2"};
 }
@@ -83,22 +90,27 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
                              Diagnostics& diagnostics) {
   Diagnostics ignored;
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const bool edits =
-      there && !options.anew && schema::same_cameras(*there, rig) && all_held(*base, rig) && has_sections(*base, rig);
+  const bool is_of_layout = options.layout.empty() || (there && options.layout == layout_of(*base));
+  const bool edits = there && !options.anew && is_of_layout && schema::same_cameras(*there, rig) && all_held(*base, rig) &&
+                     has_sections(*base, rig);
   if (edits ? !can_store(kFormat, rig, &*there, diagnostics)
             : !writable_alone(kFormat, rig, Message{Code::kTableDemandsSize}, diagnostics))
     return std::nullopt;
 
-  const schema::Schema& table = edits && is_first_generation(*base) ? kOkvis1 : kOkvis2;
+  const bool first = edits ? is_first_generation(*base) : options.layout == kFirstLayout;
+  const schema::Schema& table = first ? kOkvis1 : kOkvis2;
   Written written;
-  std::optional<text::Document> document = edits ? schema::edited(*base, {table, *there}, {table, rig}, written)
-                                                 : text::parse_document({"okvis2.yaml", composed(rig, written)}, diagnostics);
+  std::optional<text::Document> document =
+      edits ? schema::edited(*base, {table, *there}, {table, rig}, written)
+            : text::parse_document({std::string(first ? "okvis.yaml" : kFormat.main_file), composed(table, rig, written)},
+                                   diagnostics);
   if (!document) return std::nullopt;
   std::vector<std::string> programs = programs_of(*document, rig, !edits);
   written.files.push_back({*std::move(document), {}, std::move(programs)});
   for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
   const Message no_place{Code::kFilesHaveNoPlace, {table.program}};
-  add_extras_lost(rig, edits ? there->extra_fields : carried(rig), edits ? std::nullopt : there, no_place, written.losses);
+  add_extras_lost(rig, edits ? there->extra_fields : carried_over(table, rig), edits ? std::nullopt : there, no_place,
+                  written.losses);
   schema::list_losses(table, rig, no_place, written.losses);
   if (&table == &kOkvis2) list_imu_rate(rig, no_place, written.losses);
   written.headline = {Code::kTableWrote, {kFormat.title, table.program}};
@@ -164,11 +176,14 @@ const Format kFormat = {
     .image_size = true,
     .time_offset = true,
     .own_facts = kOwnFacts,
+    .layouts = kLayouts,
+    .about_layouts = Code::kOkvisLayouts,
     .demands = kDemands,
     .models = kModels,
     .table = &kTable,
     .probe = probe,
     .layout_holds = layout_holds,
+    .layout_stores = layout_stores,
     .read = read,
     .write = write,
 };

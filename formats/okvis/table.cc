@@ -28,15 +28,27 @@ bool read_camera_rate(schema::Reading& reading, const Key& key, const Node& node
 
 int whole(double rate) { return static_cast<int>(std::lrint(std::clamp(rate, 1.0, 1e6))); }
 
+// As the first program's config/config_fpga_p2_euroc.yaml has them [Hz].
+constexpr int kStockCameraRate = 20;
+constexpr int kStockImuRate = 200;
+
+/// Of a fresh file, where nobody states it.
+std::vector<Statement> stock_rate(const Subject& subject, const Key& key, int rate) {
+  if (subject.fresh == nullptr) return {};
+  subject.fresh->defaults.push_back({key.text(), std::to_string(rate), true, false});
+  return schema::states(fields::integer(key.text(), rate));
+}
+
 std::vector<Statement> write_camera_rate(const Subject& subject, const Key& key) {
   const auto& cameras = subject.rig.cameras;
   const auto stated = std::ranges::find_if(cameras, [](const Camera& camera) { return camera.frame_rate_hz.has_value(); });
-  if (stated == cameras.end()) return {};
-  return schema::states(fields::integer(key.text(), whole(stated->frame_rate_hz.value())), {FactKind::kFrameRate});
+  if (stated != cameras.end())
+    return schema::states(fields::integer(key.text(), whole(stated->frame_rate_hz.value())), {FactKind::kFrameRate});
+  return stock_rate(subject, key, kStockCameraRate);
 }
 
 std::vector<Statement> write_imu_rate(const Subject& subject, const Key& key) {
-  if (subject.rig.imus.empty() || !subject.rig.imus.front().rate_hz) return {};
+  if (subject.rig.imus.empty() || !subject.rig.imus.front().rate_hz) return stock_rate(subject, key, kStockImuRate);
   return schema::states(fields::integer(key.text(), whole(*subject.rig.imus.front().rate_hz)),
                         {.kind = FactKind::kImu, .imu = &Imu::rate_hz});
 }
@@ -109,6 +121,7 @@ constexpr std::array<Key, 4> noise(double gyroscope, double accelerometer, doubl
 // Noise and tuning begin as the program's config/euroc.yaml has them; what only OKVIS2-X reads as its file of that name, but
 // for the maps of volumes, for which no camera is marked.
 constexpr auto kNoise = noise(20.0e-4, 20.0e-3, 20.0e-5, 20.0e-3);
+constexpr auto kNoise1 = noise(12.0e-4, 8.0e-3, 4.0e-6, 4.0e-5);
 
 constexpr std::string_view kOnline = "okvis.online_calibration.";
 constexpr std::array kOnlineKeys = {
@@ -180,17 +193,29 @@ constexpr std::array kOutputKeys = {tuning("display_topview", kOutput, "true"), 
                                     tuning("enable_submapping", kOutput, "false")};
 constexpr schema::Mapping kOutputMapping = {.keys = kOutputKeys, .unread = kOutput};
 
-// The first generation's, which no fresh file has.
+// The first generation's. Tuning begins as the program's config/config_fpga_p2_euroc.yaml has it.
+constexpr std::string_view kDetection = "okvis.detection_options.";
+constexpr std::array kDetectionKeys = {tuning("threshold", kDetection, "40.0"), tuning("octaves", kDetection, "0"),
+                                       tuning("maxNoKeypoints", kDetection, "400")};
+constexpr schema::Mapping kDetectionMapping = {.keys = kDetectionKeys, .unread = kDetection};
+constexpr std::string_view kImu1 = "okvis.imu_params.";
 constexpr std::array kCameraKeys1 = {Key{"camera_rate", FactKind::kFrameRate, read_camera_rate, write_camera_rate}};
 constexpr schema::Mapping kCameraMapping1 = {.keys = kCameraKeys1, .unread = "okvis.camera_params."};
 constexpr std::array kImuKeys1 = {
-    kNoise[0],
-    kNoise[1],
-    kNoise[2],
-    kNoise[3],
+    tuning("a_max", kImu1, "176.0"),
+    tuning("g_max", kImu1, "7.8"),
+    kNoise1[0],
+    kNoise1[1],
+    tuning("sigma_bg", kImu1, "0.03"),
+    tuning("sigma_ba", kImu1, "0.1"),
+    kNoise1[2],
+    kNoise1[3],
+    tuning("tau", kImu1, "3600.0"),
+    tuning("g", kImu1, "9.81007"),
+    tuning("a0", kImu1, "[0.0, 0.0, 0.0]"),
     Key{"imu_rate", FactKind::kImu, schema::read_imu_number, write_imu_rate, {.imu = &Imu::rate_hz}},
-    Key{"T_BS", FactKind::kOther, read_body, nullptr}};
-constexpr schema::Mapping kImuMapping1 = {.keys = kImuKeys1, .unread = "okvis.imu_params."};
+    Key{"T_BS", FactKind::kOther, read_body, write_body}};
+constexpr schema::Mapping kImuMapping1 = {.keys = kImuKeys1, .unread = kImu1};
 constexpr std::string_view kCameraSection1 = "camera_params";
 constexpr std::string_view kImuSection1 = "imu_params";
 
@@ -206,7 +231,10 @@ constexpr std::array kKeys1 = {
     cameras(),
     schema::object(kCameraSection1, kCameraMapping1),
     schema::object(kImuSection1, kImuMapping1),
+    schema::object("detection_options", kDetectionMapping),
     schema::common_delay("imageDelay"),
+    tuning("displayImages", kTuningPrefix, "true"),
+    tuning("useDriver", kTuningPrefix, "false"),
 };
 /// Sensors of OKVIS2-X that are neither cameras nor the IMU.
 constexpr std::array kFurther = {schema::kept("lidar"), schema::kept("gps_parameters")};
@@ -278,8 +306,8 @@ bool is_first_generation(const text::Document& document) {
   return (has(kCameraSection1) || has(kImuSection1)) && !has("camera_parameters");
 }
 
-std::string composed(const Rig& rig, Written& written) {
-  Subject subject{.schema = kOkvis2, .rig = rig, .fresh = &written};
+std::string composed(const schema::Schema& table, const Rig& rig, Written& written) {
+  Subject subject{.schema = table, .rig = rig, .fresh = &written};
   std::string text = "%YAML:1.0\ncameras:\n";
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     subject.camera = i;
@@ -287,10 +315,14 @@ std::string composed(const Rig& rig, Written& written) {
   }
   // What tunes the program is one default: its sections are named.
   std::vector<std::string> sections;
-  for (const Key& key : std::span(kKeys2).subspan(1)) {
+  for (const Key& key : table.root.keys.subspan(1)) {
     Written made_up;
     subject.fresh = &made_up;
-    text += "\n" + key.text() + ":\n" + schema::yaml_lines(subject, *key.with.mapping, kDeeper, kDeeper);
+    if (key.with.mapping != nullptr) {
+      text += "\n" + key.text() + ":\n" + schema::yaml_lines(subject, *key.with.mapping, kDeeper, kDeeper);
+    } else {
+      for (const fields::Field& field : schema::fields_of(key.write(subject, key))) text += "\n" + fields::spell(field) + "\n";
+    }
     for (DefaultedValue& value : made_up.defaults) {
       if (value.invented) value.key = "IMU " + value.key;
       if (value.invented || value.look_at_it) {
@@ -303,13 +335,13 @@ std::string composed(const Rig& rig, Written& written) {
   std::string names;
   for (const std::string& section : sections) names += (names.empty() ? "" : ", ") + section;
   if (!names.empty())
-    written.defaults.push_back({"tuning (" + names + ")", Message{Code::kTableStockValue, {kOkvis2.program}}, false, false});
+    written.defaults.push_back({"tuning (" + names + ")", Message{Code::kTableStockValue, {table.program}}, false, false});
   return text;
 }
 
-std::vector<ExtraField> carried(const Rig& rig) {
-  std::vector<ExtraField> result = schema::carried(kOkvis2, rig);
-  for_each_tuning(kOkvis2.root, [&](const Key& key) {
+std::vector<ExtraField> carried_over(const schema::Schema& table, const Rig& rig) {
+  std::vector<ExtraField> result = schema::carried(table, rig);
+  for_each_tuning(table.root, [&](const Key& key) {
     if (const ExtraField* kept = taken_over(rig, key)) result.push_back(*kept);
   });
   // The words of cameras: what write_word takes over is what it spells so.

@@ -26,9 +26,9 @@ extern const schema::Schema kOkvis1;
 /// Has the document the keys of the first generation?
 [[nodiscard]] bool is_first_generation(const text::Document& document);
 
-/// A fresh file of the second generation.
-[[nodiscard]] std::string composed(const Rig& rig, Written& written);
+/// A fresh file by kOkvis2 or kOkvis1.
+[[nodiscard]] std::string composed(const schema::Schema& table, const Rig& rig, Written& written);
 /// The rig's extra fields that it states.
-[[nodiscard]] std::vector<ExtraField> carried(const Rig& rig);
+[[nodiscard]] std::vector<ExtraField> carried_over(const schema::Schema& table, const Rig& rig);
 
 }  // namespace fca::okvis

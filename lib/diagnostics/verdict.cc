@@ -16,7 +16,7 @@ std::span<const CodeInfo> verdict_codes() {
       reader_warning(Code::kVerdictNoRays, "no-right-rays",
                      "{0} has no right ray for {1:%} of the image{4}; {2:%} compared{3}"),
       clause(Code::kVerdictOfCircle, " and {0:%} of its inscribed circle"),
-      about_reader(error(Code::kVerdictRefused, "program-refuses", "{0} refuses it: {1:and}")),
+      about_reader(error(Code::kVerdictRefused, "program-refuses", "{0} refuses it: {1:and}{2}")),
       reader_warning(
           Code::kVerdictLensGiven, "little-compared",
           "{0:%} of the image lies outside the lens as it was given: nothing is known of how it is understood there"),

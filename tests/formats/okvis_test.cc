@@ -94,6 +94,40 @@ CameraModel model_for(std::string_view id) {
   return model_of("rational", {458.6, 457.3, 367.2, 248.4, -0.28, 0.07, 0.0002, 0.00002, 0.001, 0.01, 0.002, 0.0005});
 }
 
+TEST(Okvis, TheFirstGenerationIsWrittenInItsLayout) {
+  WriteOptions options;
+  options.layout = "okvis1";
+  for (const std::string_view model : {"radtan", "kb4", "rational"}) {
+    SCOPED_TRACE(model);
+    Rig rig = sample_rig("radtan", {.two = true, .imu = true});
+    for (Camera& camera : rig.cameras) camera.model = model_for(model);
+    const Written written = written_by(okvis(), nullptr, rig, options);
+    ASSERT_EQ(written.files.size(), 1U);
+    EXPECT_EQ(written.files.front().programs, std::vector<std::string>{"okvis"});
+    expect_proven(written, rig);
+    const Rig back = calibration_of(written.files.front().document.bytes()).rig;
+    ASSERT_EQ(back.cameras.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(back.cameras[i].model, rig.cameras[i].model);
+    EXPECT_EQ(back.imus.front().gyroscope_noise_density, rig.imus.front().gyroscope_noise_density);
+  }
+}
+
+TEST(Okvis, AFileInTheLayoutThatIsAskedForIsEdited) {
+  for (const auto& [file, own, other] :
+       {std::array{"okvis1-crlf.yaml", "okvis1", "okvis2"}, std::array{"pair.yaml", "okvis2", "okvis1"}}) {
+    SCOPED_TRACE(file);
+    const Calibration calibration = calibration_of(good(file));
+    const text::Document& base = calibration.documents.front();
+    WriteOptions options;
+    options.layout = own;
+    EXPECT_EQ(written_by(okvis(), &base, calibration.rig, options).files.front().document.bytes(), good(file));
+    options.layout = other;
+    const Written moved = written_by(okvis(), &base, calibration.rig, options);
+    EXPECT_NE(moved.files.front().document.bytes(), good(file));
+    expect_proven(moved, calibration.rig);
+  }
+}
+
 TEST(Okvis, EveryModelComesBackAndStartsTheProgram) {
   for (const StoredModel& stored : okvis().models) {
     SCOPED_TRACE(stored.model);

@@ -703,6 +703,7 @@ enum class Code : std::uint16_t {
   kTablePoseInFrame,
   kTableIdentity,
   kTableInitialValue,
+  kOkvisLayouts,
   kTableStockValue,
   kTableOneOffset,
   kTableMadeUpId,
