@@ -95,6 +95,7 @@ constexpr std::array kTopics = {
     Topic{Code::kCheckedTime, &check_time, &Format::time_offset},
     Topic{Code::kCheckedOcamcalib, &check_ocamcalib},
     Topic{Code::kCheckedOrbslam3, &check_orbslam3},
+    Topic{Code::kCheckedStella, &check_stella},
 };
 
 /// Why the reader gives up, where the fault is ours: the file may be right.

@@ -11,8 +11,10 @@ namespace {
 // Where a program refuses or misreads a file, no alarm is false: its reader was asked.
 constexpr std::array kSightings = {
     Sighting{"baseline-contradicts", 5, 0},
+    Sighting{"bf-is-a-baseline", 1, 0},
     Sighting{"carla-translation", 4, 0},
     Sighting{"centre-off", 2, 0},
+    Sighting{"coefficient-repeated", 1, 0},
     Sighting{"depth-threshold", 1, 0},
     Sighting{"distortion-missing", 5, 0},
     Sighting{"duplicate-key", 3, 0},

@@ -18,6 +18,7 @@ namespace fca::checks {
 [[nodiscard]] bool check_time(const Subject& subject, Findings& findings);
 [[nodiscard]] bool check_ocamcalib(const Subject& subject, Findings& findings);
 [[nodiscard]] bool check_orbslam3(const Subject& subject, Findings& findings);
+[[nodiscard]] bool check_stella(const Subject& subject, Findings& findings);
 
 /// Who reads the bytes? A program that refuses them is a finding at the place that it stumbles over, with the mend where one is
 /// certain. `calibration`: null if the file could not be read.

@@ -38,6 +38,10 @@ std::span<const CodeInfo> conversion_codes() {
       bad_request(Code::kRaysFittedForRms, "rays-fitted-for-rms", "{0} is a table of rays, which is fitted for the rms only"),
       error(Code::kOnlyRaysKnown, "only-rays-known", "{0} is a table of rays, no camera model",
             "convert it to a model first, and use that"),
+      warning(
+          Code::kRayApart, "lens-in-doubt",
+          "{0}: the ray of pixel ({1:.5}, {2:.5}) is {3:.3} px from the lens of all others, of which 99 % are within {4:.2} px",
+          "look at that line of the table, and leave it out if it is wrong"),
       warning(Code::kTargetCannotReach, "target-cannot-reach",
               "{0}: {1} cannot describe this lens as far as the domain goes; it was fitted inside {2:.0f} deg from the axis, "
               "is scored there, and gives wrong pixels or none beyond",

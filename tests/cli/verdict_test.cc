@@ -13,6 +13,7 @@
 #include <array>
 #include <cctype>
 #include <cstdio>
+#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -490,6 +491,33 @@ TEST(Verdict, AModelThatOlderVersionsDoNotReadAsksForCare) {
   const std::string fix = (*found)["fix"].GetString();
   EXPECT_TRUE(contains(fix, "--model ")) << fix;
   EXPECT_FALSE(contains(Told({"convert", chain, "--to", "basalt", "--model", "kb4", "--json"}).text(), "needs-version"));
+}
+
+// 400 rays of a pinhole, one of which is 5 px off: the rms hides it.
+TEST(Verdict, ARayThatIsFarFromAllOthersIsNamed) {
+  const auto table = [](double shift) {
+    std::string text = "u v x y z\n";
+    for (int i = 0; i < 20; ++i) {
+      for (int j = 0; j < 20; ++j) {
+        const double x = 0.05 * (i - 9.5);
+        const double y = 0.05 * (j - 9.5);
+        const double u = 320.0 + 500.0 * x + (i == 12 && j == 7 ? shift : 0.0);
+        text += std::to_string(u) + " " + std::to_string(240.0 + 500.0 * y) + " " + std::to_string(x) + " " +
+                std::to_string(y) + " 1\n";
+      }
+    }
+    return text;
+  };
+  const TemporaryFolder folder;
+  const auto convert = [&folder](const std::string& rays) {
+    std::ofstream(folder / "rays.txt") << rays;
+    return Told({"convert", folder / "rays.txt", "--size", "640x480", "--to", "opencv", "--model", "pinhole"});
+  };
+  const Told good = convert(table(0.0));
+  EXPECT_EQ(word_of(good), "ready") << good.text();
+  const Told bad = convert(table(5.0));
+  EXPECT_EQ(word_of(bad), "use-with-care") << bad.text();
+  EXPECT_EQ(codes_of(bad), std::set<std::string>{"lens-in-doubt"}) << bad.text();
 }
 
 }  // namespace

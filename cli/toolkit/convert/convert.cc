@@ -145,10 +145,22 @@ void add_remedies(const ConvertRequest& request, const Start& start, const Conve
   }
 }
 
+/// One ray of a table that is far from where all others put the lens.
+std::optional<Message> stray_ray(const ConvertedCamera& camera) {
+  if (camera.source.rays.empty() || !camera.report) return std::nullopt;
+  const ErrorSummary& error = camera.report->judgement.error;
+  constexpr double kFarPx = 1.0;
+  constexpr double kTimes = 10.0;
+  if (!(error.max > kFarPx) || !(error.max > kTimes * error.p99)) return std::nullopt;
+  return Message{Code::kRayApart, {camera.source.name, error.max_at[0], error.max_at[1], error.max, error.p99}};
+}
+
 std::vector<Finding> findings_of(const Start& start, const ConvertResult& before, const ConvertResult& result) {
   std::vector<Finding> findings = start.findings;
   add_findings(std::span(result.diagnostics.entries()).subspan(before.diagnostics.entries().size()), findings);
   for (const ConvertedCamera& camera : result.cameras) {
+    if (const std::optional<Message> stray = stray_ray(camera))
+      findings.push_back({.severity = info(stray->code).severity, .facts = *stray});
     if (!camera.report || camera.report->exact) continue;  // else it is a finding in the input
     if (const std::optional<Message> problem = undistortion_problem(camera.target))
       findings.push_back({.severity = info(problem->code).severity, .facts = *problem});

@@ -34,6 +34,7 @@ std::span<const CodeInfo> file_check_codes() {
       clause(Code::kCheckedTime, "time offsets"),
       clause(Code::kCheckedOcamcalib, "OCamCalib's two polynomials"),
       clause(Code::kCheckedOrbslam3, "ORB-SLAM3's baseline, depth threshold and matrix types"),
+      clause(Code::kCheckedStella, "stella_vslam's focal length times baseline"),
       clause(Code::kCheckedProgram, "whether {0} loads the bytes"),
 
       // Programs, with what they say as a clause.

@@ -45,7 +45,7 @@ std::span<const CodeInfo> general_codes() {
           "Depths of the stereo pair or depth sensor are wrong by that factor."),
       any(Code::kAnyBaselineIsBf, "baseline-is-bf", "ORB-SLAM3's Stereo.b holds bf",
           "Depths come out fx (hundreds of) times too large."),
-      any(Code::kAnyBfIsABaseline, "bf-is-a-baseline", "ORB-SLAM's bf holds the baseline alone",
+      any(Code::kAnyBfIsABaseline, "bf-is-a-baseline", "focal length times baseline holds the baseline alone",
           "Depths come out fx (hundreds of) times too small."),
       any(Code::kAnyBinaryFile, "binary-file", "the file is not text", kNotRead, "save it as UTF-8 text"),
       any(Code::kAnyBlankMissing, "blank-missing", "no blank behind a key's colon", kNotRead),

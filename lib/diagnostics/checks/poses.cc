@@ -73,6 +73,12 @@ std::span<const CodeInfo> pose_check_codes() {
               "Camera.bf is the baseline in metres times Camera.fx"),
       clause(Code::kBaselineOfP, "RIGHT.P(0, 3) = {0:.5}"),
       clause(Code::kBaselineOfPose, "the second camera's distance of {0:.4} m"),
+      with_consequence(
+          warning(
+              Code::kBaselineInProduct, "bf-is-a-baseline",
+              "focal_x_baseline = {0:.4} makes a baseline of {1:.3} m: that is probably the baseline itself, in millimetres",
+              "if so, write {2:.5} (baseline in metres times fx in pixels)"),
+          "Every depth is wrong by the same factor."),
       warning(Code::kBfIsABaseline, "bf-is-a-baseline",
               "Camera.bf = {0:.4} makes a baseline of {1:.3} mm: that is probably the baseline itself, in metres",
               "if so, write {2} (baseline times Camera.fx)"),

@@ -30,7 +30,8 @@ RIGHT.P(0, 3) = -b fx or in the second camera's pose. Checked to 5 %.)"},
         R"(Stereo.b of ORB-SLAM3's new settings is the baseline in metres; Camera.bf of the older ones is  bf = b fx.  Above 5 m,
 and with Stereo.b / fx between 0.02 and 2 m, bf is named. Millimetres look alike (47.9 is 0.11 m times 435 px, and 47.9 mm):
 then both are shown.)"},
-    Story{"bf-is-a-baseline", "Camera.bf = baseline in metres times Camera.fx in pixels: 0.11 m and 435 px give 47.9."},
+    Story{"bf-is-a-baseline",
+          "Camera.bf, or focal_x_baseline, is the baseline in metres times fx in pixels: 0.11 m and 435 px give 47.9."},
     Story{
         "binary-file",
         R"(A zero byte, or bytes that are no UTF-8 where a value stands. An image, an archive or a file saved as UTF-16: save it
