@@ -2,9 +2,15 @@
 #include "known_formats.h"
 
 #include <fca/code.h>
+#include <fca/formats/text/numbers.h>
 
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace fca {
 
@@ -42,6 +48,8 @@ constexpr std::array kKnown = {
     Known{Code::kLooksLikeImageList, "<opencv_storage>", "<images>"},
 };
 
+constexpr std::size_t kLongestLine = 4096;
+
 bool is_of_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 /// Does it stand there with nothing before and behind it that would make it another word?
@@ -54,9 +62,26 @@ bool has_word(std::string_view text, std::string_view word) {
   return false;
 }
 
+/// omni_cam's lens: nothing but 22 numbers, of which the first is a0; in newer files width and height stand before them.
+bool is_omni_cam(std::string_view text) {
+  constexpr std::size_t kWithSize = 24;
+  constexpr std::size_t kWithoutSize = 22;
+  std::istringstream words{std::string(text.substr(0, kLongestLine))};
+  std::vector<double> numbers;
+  for (std::string word; words >> word;) {
+    const std::optional<double> number = text::parse_real(word);
+    if (!number || numbers.size() == kWithSize) return false;
+    numbers.push_back(*number);
+  }
+  const auto is_size = [](double number) { return number >= 1.0 && number == std::floor(number); };
+  if (numbers.size() == kWithoutSize) return numbers[0] < 0.0;
+  return numbers.size() == kWithSize && is_size(numbers[0]) && is_size(numbers[1]) && numbers[2] < 0.0;
+}
+
 }  // namespace
 
 Message looks_like(std::string_view text, Parsed parsed) {
+  if (text.size() <= kLongestLine && is_omni_cam(text)) return {Code::kLooksLikeOmniCam};
   for (const Known& known : kKnown) {
     if (parsed == Parsed::kNo && !known.has_no_syntax) continue;
     if (has_word(text, known.word) && has_word(text, known.second_word)) return {known.what, {known.word, known.second_word}};

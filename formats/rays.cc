@@ -114,7 +114,9 @@ std::optional<Camera> read_camera(const text::Document& document, const ReadOpti
     if (!entry) return std::nullopt;
     camera.rays.push_back(*entry);
   }
-  const std::optional<LensCentre> centre = camera.rays.size() < kFewestRays ? std::nullopt : centre_of(camera.rays);
+  const bool looks_ahead = std::ranges::any_of(camera.rays, [](const Correspondence& entry) { return entry.ray[2] > 0.0; });
+  const bool has_centre = looks_ahead && camera.rays.size() >= kFewestRays;
+  const std::optional<LensCentre> centre = has_centre ? centre_of(camera.rays) : std::nullopt;
   if (!centre) {
     diagnostics.add(camera.rays.size() < kFewestRays ? Code::kTooFewRays : Code::kRaysWithoutCentre,
                     {camera.rays.size(), kFewestRays}, {document.source().name, 0, 0});

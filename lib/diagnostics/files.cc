@@ -44,6 +44,10 @@ std::span<const CodeInfo> file_codes() {
       // {0} and {1}: words that stand in it.
       error(Code::kLooksLikeMultiCol, kUnknown, "looks like MultiCol-SLAM's lens ({0} and {1}), which fca-io does not read",
             "its polynomials are OCamCalib's: write them into a calib_results.txt"),
+      error(Code::kLooksLikeOmniCam, kUnknown, "looks like omni_cam's line of numbers, which fca-io does not read",
+            "(width, height,) a0 to a4, cx, cy, c, d, e, b0 to b11: write the polynomials into OCamCalib's calib_results.txt, "
+            "where "
+            "row and column change places"),
       error(Code::kLooksLikeMultiColRig, kUnknown,
             "looks like MultiCol-SLAM's poses of its cameras ({0} and {1}), which fca-io does not read",
             "its lenses are in other files (InteriorOrientationFisheye0.yaml)"),

@@ -27,6 +27,10 @@ struct Foreign {
 };
 
 const std::array kForeign = {
+    Foreign{"ocam_param.txt",
+            "640 480 -70.5 0.0 5.5e-4 2.1e-5 -8.8e-9 320.0 240.0 1.0 0.0 0.0 142.7 104.8 7.4 17.5 12.6 -4.4 6.9 11.0 -0.6 -3.9 "
+            "-1.1 0.0\n",
+            Code::kLooksLikeOmniCam},
     Foreign{"orbit.yaml", "%YAML:1.0\nCamera.nrpol: 5\nCamera.nrinvpol: 12\nCamera.a0: -210.5\n", Code::kLooksLikeMultiCol},
     Foreign{"rig.yaml", "%YAML:1.0\nCameraSystem.nrCams: 2\nCameraSystem.cam1_1: 0.1\n", Code::kLooksLikeMultiColRig},
     Foreign{"quad.yaml", "estimation_mode: 1\nself_id: 2\n", Code::kLooksLikeD2Slam},

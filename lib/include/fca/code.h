@@ -381,6 +381,7 @@ enum class Code : std::uint16_t {
   kFileCrOnly,
   kFormatUnknown,
   kLooksLikeMultiCol,
+  kLooksLikeOmniCam,
   kLooksLikeMultiColRig,
   kLooksLikeOv2Slam,
   kLooksLikeD2Slam,
