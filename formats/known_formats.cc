@@ -16,7 +16,7 @@ namespace fca {
 
 namespace {
 
-/// A program's file, and two words that stand in it and together in no other's. The rows are tried in this order.
+/// A program's file, and two words that stand in it, and together in no other that is known. The rows are tried in this order.
 struct Known {
   Code what;
   std::string_view word;
@@ -34,6 +34,23 @@ constexpr std::array kKnown = {
     Known{Code::kLooksLikeFastLivoPoses, "extrin_calib", "Pcl"},
     Known{Code::kLooksLikeCuvslamRig, "stereo_cameras", "left_camera"},
     Known{Code::kLooksLikeCuvslamRig, "rgb_camera", "depth_camera"},
+    Known{Code::kLooksLikeAria, "CameraCalibrations", "Projection"},
+    Known{Code::kLooksLikeWmr, "CalibrationInformation", "ModelParameters"},
+    Known{Code::kLooksLikeDriveWorks, "rig", "bw-poly"},
+    Known{Code::kLooksLikeDriveWorks, "rig", "pixeldistance-to-angle"},
+    Known{Code::kLooksLikeIsaac, "OmniLensDistortionFthetaAPI", "Camera", true},
+    Known{Code::kLooksLikeIsaac, "cameraProjectionType", "Camera", true},
+    Known{Code::kLooksLikeEdex, "distortion_params", "principal"},
+    Known{Code::kLooksLikeSpectacular, "focalLengthX", "imuToCamera"},
+    Known{Code::kLooksLikeMatlab, "RadialDistortion", "IntrinsicMatrix"},
+    Known{Code::kLooksLikeMatlab, "RadialDistortion", "ImageSize"},
+    Known{Code::kLooksLikeMatlabFisheye, "MappingCoefficients", "DistortionCenter"},
+    Known{Code::kLooksLikeAutoware, "sensor_kit_base_link", "roll"},
+    Known{Code::kLooksLikePhotonVision, "cameraIntrinsics", "distCoeffs"},
+    Known{Code::kLooksLikeR3live, "r3live_vio", "camera_intrinsic"},
+    Known{Code::kLooksLikePhone, "perFrameIntrinsicCoeffs", "poses"},
+    Known{Code::kLooksLikePhone, "t_00", "fx"},
+    Known{Code::kLooksLikeOwnDump, "left_intrinsics", "right_intrinsics"},
     Known{Code::kLooksLikeDepthaiBoard, "board_config", "cameras"},
     Known{Code::kLooksLikeDepthaiBoard, "boardConf", "boardName"},
     Known{Code::kLooksLikeTheia, "CameraIntrinsicsPrior", "focal_length"},
@@ -48,7 +65,7 @@ constexpr std::array kKnown = {
     Known{Code::kLooksLikeImageList, "<opencv_storage>", "<images>"},
 };
 
-constexpr std::size_t kLongestLine = 4096;
+constexpr std::size_t kLongestOfNumbers = 4096;
 
 bool is_of_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
@@ -66,7 +83,7 @@ bool has_word(std::string_view text, std::string_view word) {
 bool is_omni_cam(std::string_view text) {
   constexpr std::size_t kWithSize = 24;
   constexpr std::size_t kWithoutSize = 22;
-  std::istringstream words{std::string(text.substr(0, kLongestLine))};
+  std::istringstream words{std::string(text)};
   std::vector<double> numbers;
   for (std::string word; words >> word;) {
     const std::optional<double> number = text::parse_real(word);
@@ -81,7 +98,7 @@ bool is_omni_cam(std::string_view text) {
 }  // namespace
 
 Message looks_like(std::string_view text, Parsed parsed) {
-  if (text.size() <= kLongestLine && is_omni_cam(text)) return {Code::kLooksLikeOmniCam};
+  if (text.size() <= kLongestOfNumbers && is_omni_cam(text)) return {Code::kLooksLikeOmniCam};
   for (const Known& known : kKnown) {
     if (parsed == Parsed::kNo && !known.has_no_syntax) continue;
     if (has_word(text, known.word) && has_word(text, known.second_word)) return {known.what, {known.word, known.second_word}};

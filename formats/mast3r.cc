@@ -34,6 +34,7 @@ std::optional<Camera> read_camera(const text::Document& document, std::vector<Ex
     diagnostics.add(Code::kTableWrongSyntax, {}, {document.source().name, 0, 0});
     return std::nullopt;
   }
+  reader.warn_of_duplicates(root);
   const Node* width = reader.require(root, "width", camera.name);
   const Node* height = reader.require(root, "height", camera.name);
   const Node* list = reader.require(root, "calibration", camera.name);

@@ -74,11 +74,17 @@ double grows_until(const Numbers& polynomial, double largest) {
   return largest;
 }
 
-/// What no derivative on [0, largest] exceeds in size.
-double steepest(const Numbers& polynomial, double largest) {
-  double slope = 0.0;
-  for (std::size_t i = polynomial.size(); i-- > 1;) slope = slope * largest + static_cast<double>(i) * std::abs(polynomial[i]);
-  return slope;
+Numbers derivative_of(const Numbers& polynomial) {
+  Numbers derivative;
+  for (std::size_t i = 1; i < polynomial.size(); ++i) derivative.push_back(static_cast<double>(i) * polynomial[i]);
+  return derivative;
+}
+
+/// What no value on [0, largest] exceeds in size.
+double largest_value(const Numbers& polynomial, double largest) {
+  double value = 0.0;
+  for (std::size_t i = polynomial.size(); i-- > 0;) value = value * largest + std::abs(polynomial[i]);
+  return value;
 }
 
 /// From a distance to its angle and back.
@@ -86,24 +92,32 @@ struct Disagreement {
   double found_px = 0.0;
   double bound_px = 0.0;   ///< No distance ends further off.
   double angle_rad = 0.0;  ///< As far as was asked.
+  double end_px = 0.0;     ///< The distance there.
 };
 
 /// For distances up to `largest_px` whose angles are no larger than `max_angle_rad`. The bound: between two samples the
-/// difference moves by no more than its steepest slope allows.
+/// difference moves by its slope there, which changes by no more than its steepest change allows.
 Disagreement disagreement(const Numbers& to_distance, const Numbers& to_angle, double largest_px, double max_angle_rad) {
-  constexpr int kSteps = 1 << 17;
+  constexpr int kSteps = 1 << 14;
   const double step = largest_px / kSteps;
+  const Numbers distance_slope = derivative_of(to_distance);
+  const Numbers angle_slope = derivative_of(to_angle);
   Disagreement result;
-  double reached = 0.0;
+  double steepest = 0.0;
   for (int i = 0; i <= kSteps; ++i) {
-    const double angle = value_at(to_angle, i * step);
-    if (!(angle <= max_angle_rad)) break;
-    result.found_px = std::max(result.found_px, std::abs(value_at(to_distance, angle) - i * step));
-    result.angle_rad = std::max(result.angle_rad, angle);
-    reached = i * step;
+    const double distance = i * step;
+    const double angle = value_at(to_angle, distance);
+    if (!(std::abs(angle) <= max_angle_rad)) break;
+    result.found_px = std::max(result.found_px, std::abs(value_at(to_distance, angle) - distance));
+    result.angle_rad = std::max(result.angle_rad, std::abs(angle));
+    result.end_px = distance;
+    steepest = std::max(steepest, std::abs(value_at(distance_slope, angle) * value_at(angle_slope, distance) - 1.0));
   }
-  const double slope = 1.0 + steepest(to_distance, result.angle_rad) * steepest(to_angle, reached);
-  result.bound_px = result.found_px + 0.5 * step * slope;
+  const double slope = largest_value(angle_slope, result.end_px);
+  const double bend =
+      largest_value(derivative_of(distance_slope), result.angle_rad) * slope * slope +
+      largest_value(distance_slope, result.angle_rad) * largest_value(derivative_of(angle_slope), result.end_px);
+  result.bound_px = result.found_px + 0.5 * step * (steepest + 0.5 * step * bend);
   return result;
 }
 
@@ -314,7 +328,10 @@ class Reading {
     rig_.extra_fields.push_back(
         {camera_.name, other, numbers, {Code::kNcoreInverse, {found.bound_px, counts, angle_deg, numbers}}});
     constexpr double kFar = 1.0;  // px
-    if (!(found.found_px <= kFar))
+    constexpr double kMostOfIt = 0.9;
+    const std::optional<double> end = lens.distance_of(lens.max_angle_rad);
+    const bool ends_early = found.end_px < kMostOfIt * std::min(lens.corner_px, end.value_or(lens.corner_px));
+    if (!(found.found_px <= kFar) || ends_early)
       reader_.say(node, Code::kNcoreInverseFarOff, {camera_.name, other, found.found_px, counts, angle_deg});
   }
 
@@ -333,7 +350,7 @@ class Reading {
   }
 
   bool set_table(const Polynomials& lens) {
-    const double end = lens.by_angle ? value_at(lens.to_angle, lens.largest_px) : lens.max_angle_rad;
+    const double end = lens.by_angle ? value_at(lens.to_angle, lens.largest_px) : std::numbers::pi;
     std::optional<Camera> table = measured(
         camera_, [&lens](const Ray& ray) { return lens.project(ray); }, std::min(end, std::numbers::pi));
     if (!table) {
@@ -352,7 +369,7 @@ class Reading {
       rig_.extra_fields.push_back({camera_.name, std::string(key), fields::value_text(*node)});
       return reader_.positive(*node, label(key));
     }
-    reader_.say(*intrinsics_, Code::kKeyMissing, {label("intrinsics"), "max_angle"});
+    reader_.say(*intrinsics_, Code::kKeyMissing, {label("intrinsics"), "max_angle_rad"});
     return std::nullopt;
   }
 

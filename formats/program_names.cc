@@ -127,7 +127,7 @@ constexpr std::array kNames = {
     ProgramName{kMsckfVio, "MSCKF-VIO", "kalibr", "", "", "Kalibr's keys with flat lists for its poses"},
     ProgramName{kMrcal, "mrcal", "mrcal"},
     ProgramName{kOpensfm, "OpenSfM", "opensfm"},
-    ProgramName{kAria, "Project Aria", "opencv", "", "", "a JSON of its own, with the model Fisheye624"},
+    ProgramName{kAria, "Project Aria", "colmap", "", "", "a JSON of its own, with the model Fisheye624"},
     ProgramName{kNcore, "NCore", "ncore"},
     ProgramName{kFtheta, "NVIDIA's f-theta", "ocamcalib", "", "", "a rig.json, or a USD, with polynomials of its own"},
     ProgramName{kMetashape, "Metashape", "metashape"},

@@ -37,8 +37,8 @@ std::vector<Node> words_of(const Node& line) {
   return words;
 }
 
-/// In any case, with or without quotes, also behind the "#" of a comment.
-bool names_columns(std::span<const Node> words) {
+/// The words in small letters, without quotes and the "#" of a comment.
+std::string names_in(std::span<const Node> words) {
   std::string names;
   for (const Node& word : words) {
     for (const char c : word.value) {
@@ -46,7 +46,16 @@ bool names_columns(std::span<const Node> words) {
     }
     if (!names.empty()) names += ' ';
   }
-  return names == "u v x y z ";
+  return names;
+}
+
+bool names_columns(std::span<const Node> words) { return names_in(words) == "u v x y z "; }
+
+/// The same names in another order.
+bool names_other_columns(std::span<const Node> words) {
+  std::string names = names_in(words);
+  std::ranges::sort(names);
+  return names == "     uvxyz" && !names_columns(words);
 }
 
 /// A comment above the numbers, as numpy.savetxt writes its header.
@@ -92,6 +101,24 @@ std::optional<Correspondence> entry_of(fields::Reader& reader, const Node& line,
   return entry;
 }
 
+/// Do nearly all pixels lie in the image, and over more than a corner of it?
+bool fill_image(std::span<const Correspondence> rays, const ImageSize& size) {
+  constexpr double kBorder = 0.5;  // of pixels
+  constexpr double kMostOutside = 0.1;
+  constexpr double kLeastSpread = 0.1;
+  double outside = 0.0;
+  std::array<double, 2> least = rays.front().pixel;
+  std::array<double, 2> most = rays.front().pixel;
+  for (const Correspondence& entry : rays) {
+    const auto [u, v] = entry.pixel;
+    if (u < -kBorder || v < -kBorder || u > size.width - kBorder || v > size.height - kBorder) outside += 1.0;
+    least = {std::min(least[0], u), std::min(least[1], v)};
+    most = {std::max(most[0], u), std::max(most[1], v)};
+  }
+  const bool is_spread = most[0] - least[0] >= kLeastSpread * size.width || most[1] - least[1] >= kLeastSpread * size.height;
+  return is_spread && outside <= kMostOutside * static_cast<double>(rays.size());
+}
+
 std::optional<Camera> read_camera(const text::Document& document, const ReadOptions& options, Diagnostics& diagnostics) {
   Camera camera;
   camera.name = "cam0";
@@ -108,6 +135,10 @@ std::optional<Camera> read_camera(const text::Document& document, const ReadOpti
     if (line.items.empty() || line.tag == text::kCommentTag) continue;
     const std::vector<Node> words = words_of(line);
     if (&line == first && names_columns(words)) continue;
+    if (&line == first && names_other_columns(words)) {
+      reader.say(line, Code::kRaysOfOtherColumns);
+      return std::nullopt;
+    }
     if (gap != nullptr) reader.say(Severity::kNote, *gap, Code::kNumbersWanted, {"u v x y z", 0, kColumns.size()});
     gap = nullptr;
     const std::optional<Correspondence> entry = entry_of(reader, line, words);
@@ -120,6 +151,15 @@ std::optional<Camera> read_camera(const text::Document& document, const ReadOpti
   if (!centre) {
     diagnostics.add(camera.rays.size() < kFewestRays ? Code::kTooFewRays : Code::kRaysWithoutCentre,
                     {camera.rays.size(), kFewestRays}, {document.source().name, 0, 0});
+    return std::nullopt;
+  }
+  if (camera.image_size && !fill_image(camera.rays, *camera.image_size)) {
+    const auto [left, right] = std::ranges::minmax(camera.rays, {}, [](const Correspondence& entry) { return entry.pixel[0]; });
+    const auto [top, bottom] = std::ranges::minmax(camera.rays, {}, [](const Correspondence& entry) { return entry.pixel[1]; });
+    diagnostics.add(
+        Code::kRaysOfOtherImage,
+        {left.pixel[0], right.pixel[0], top.pixel[1], bottom.pixel[1], camera.image_size->width, camera.image_size->height},
+        {document.source().name, 0, 0});
     return std::nullopt;
   }
   for (Correspondence& entry : camera.rays) entry.weight = 1.0 / static_cast<double>(camera.rays.size());

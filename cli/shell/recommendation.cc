@@ -27,6 +27,9 @@ std::string in_words(const Candidate& candidate) {
 std::string recommendation(const std::vector<Candidate>& candidates, const Format* to) {
   const Candidate* best = recommended(candidates, to);
   if (best == nullptr) return "No model could be fitted; the table says why.";
+  constexpr double kUseless = 10.0;  // px
+  if (!best->conversion->report.exact && best->decisive().rms > kUseless)
+    return "No model describes this lens. The nearest is " + in_words(*best) + ".";
   const bool read_by_some = !best->stored_by.empty();
   if (to != nullptr) {
     std::string text = "For " + std::string(to->program) + ": " + in_words(*best) + ".";

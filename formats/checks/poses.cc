@@ -63,7 +63,8 @@ void report(const Subject& subject, const Contradiction& contradiction, Findings
   const Code mistake = contradiction.mistake;
   const Severity severity = contradiction.severity;
   const PoseEdge& edge = subject.rig().poses[loop.edge];
-  constexpr std::array kOfTranslation = {Code::kPoseInMillimetres, Code::kPoseInCentimetres, Code::kPoseInKilometres};
+  constexpr std::array kOfTranslation = {Code::kPoseInMillimetres, Code::kPoseInCentimetres, Code::kPoseInHectometres,
+                                         Code::kPoseInKilometres};
   const bool of_translation = std::ranges::find(kOfTranslation, mistake) != kOfTranslation.end();
   const SourceRange where =
       of_translation ? subject.places.pose(loop.edge, longest_row(edge.T_a_b), 3) : subject.places.pose(loop.edge, 0, 0);

@@ -232,7 +232,10 @@ class ProgramsCheck {
         refusals.size() > kMostSaid && std::ranges::any_of(report_.readers.programs, &Readers::Program::loads);
     const std::size_t most = is_for_another ? 1 : kMostSaid;
     for (std::size_t i = 0; i < std::min(most, refusals.size()); ++i) say_refusal(own, *fewest, refusals[i]);
-    if (is_for_another) report_.findings.back().remedy = how_to_write_for(own);
+    if (is_for_another) {
+      if (!report_.findings.back().mend) report_.findings.back().remedy = how_to_write_for(own);
+      return;
+    }
     say_more(refusals.size(), most, Code::kProgramRefusesMore);
   }
 

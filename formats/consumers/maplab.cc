@@ -22,16 +22,19 @@ using Pixel = std::array<double, 2>;
 using Ray = std::array<double, 3>;
 using Numbers = std::vector<double>;
 
+constexpr double kSmall = 1e-5;  ///< r^2 of an FOV lens below which the program takes its slope at the centre.
+
+double fov_slope(double w) { return 2.0 * std::tan(0.5 * w); }
+
 /// On the plane where distortion bends.
 Pixel bent(const std::string& distortion, const Numbers& d, double x, double y) {
   const opencv::CameraMatrix identity;
   if (distortion == "radial-tangential") return opencv::project_points(identity, {d[0], d[1], d[2], d[3]}, {x, y, 1.0});
   if (distortion == "equidistant") return opencv::fisheye_project_points(identity, {d[0], d[1], d[2], d[3]}, {x, y, 1.0});
   if (distortion != "fisheye") return {x, y};
-  constexpr double kSmall = 1e-5;
   const double w = d[0];
   const double r2 = x * x + y * y;
-  const double slope = 2.0 * std::tan(0.5 * w);
+  const double slope = fov_slope(w);
   const double r = std::sqrt(r2);
   const double factor = w * w < kSmall ? 1.0 : r2 < kSmall ? slope / w : std::atan(slope * r) / (r * w);
   return {factor * x, factor * y};
@@ -103,6 +106,12 @@ std::optional<ConsumerCamera> read_camera(const YAML::Node& node, const std::str
   camera.width = static_cast<int>(*width);
   camera.height = static_cast<int>(*height);
   camera.model = *type + ", " + distortion->type;
+  if (distortion->type == "fisheye") {
+    // atan(t) = t - t^3 / 3 + ...
+    const double w = distortion->numbers[0];
+    const double most = std::pow(fov_slope(w) * std::sqrt(kSmall), 3.0) / (3.0 * w);
+    camera.approximation_px = std::max((*k)[first], (*k)[first + 1]) * most;
+  }
   camera.project = [k = *k, distortion = *distortion, unified, first](const Ray& ray) -> std::optional<Pixel> {
     const double xi = unified ? k[0] : 0.0;
     const double d = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]);

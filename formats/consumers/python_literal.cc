@@ -351,7 +351,7 @@ class Reader {
       comma = take(',');
       if (key.kind == Kind::kList || key.kind == Kind::kDict) raise("TypeError");
       if (key.kind != Kind::kString) continue;  // mrcal asks for none
-      dict.entries.insert_or_assign(key.text, std::move(of_key));
+      dict.entries.push_back({key.text, std::move(of_key)});
     }
     ++at_;
     return dict;
@@ -365,8 +365,8 @@ class Reader {
 }  // namespace
 
 const Value* Value::find(std::string_view key) const {
-  const auto found = entries.find(key);
-  return found == entries.end() ? nullptr : &found->second;
+  const auto found = std::find_if(entries.rbegin(), entries.rend(), [key](const Entry& entry) { return entry.key == key; });
+  return found == entries.rend() ? nullptr : &found->value;
 }
 
 Loaded literal_eval(std::string_view text) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "realsense_text.h"
 
+#include <fca/formats/text/dialect.h>
+
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -123,18 +126,31 @@ std::vector<Node> values_behind(const IniLine& line, const std::string& key) {
 constexpr std::string_view kRustIntrinsics = "(rs2_intrinsics {";
 constexpr std::string_view kRustExtrinsics = "(rs2_extrinsics {";
 
+/// Names of a structure's members there and in rs-enumerate-devices.
+constexpr std::array<std::pair<const char*, const char*>, 8> kMembers = {{{"width", "Width"},
+                                                                          {"height", "Height"},
+                                                                          {"ppx", "PPX"},
+                                                                          {"ppy", "PPY"},
+                                                                          {"fx", "Fx"},
+                                                                          {"fy", "Fy"},
+                                                                          {"model", "Distortion"},
+                                                                          {"coeffs", "Coeffs"}}};
+
 Block intrinsics_of_rust(const IniLine& line, std::string name) {
-  constexpr std::array<std::pair<const char*, const char*>, 8> kKeys = {{{"width", "Width"},
-                                                                         {"height", "Height"},
-                                                                         {"ppx", "PPX"},
-                                                                         {"ppy", "PPY"},
-                                                                         {"fx", "Fx"},
-                                                                         {"fy", "Fy"},
-                                                                         {"model", "Distortion"},
-                                                                         {"coeffs", "Coeffs"}}};
   Block block{Block::Kind::kStream, line.node, std::move(name)};
-  for (const auto& [rust, printed] : kKeys) block.values[printed] = values_behind(line, rust);
+  for (const auto& [rust, printed] : kMembers) block.values[printed] = values_behind(line, rust);
   return block;
+}
+
+/// Of a matrix column by column.
+std::vector<Node> by_rows(std::vector<Node> R) {
+  constexpr std::size_t kElements = 9;
+  if (R.size() == kElements) {
+    std::swap(R[1], R[3]);
+    std::swap(R[2], R[6]);
+    std::swap(R[5], R[7]);
+  }
+  return R;
 }
 
 std::optional<Block> extrinsics_of_rust(const IniLine& line, const std::string& names) {
@@ -142,13 +158,7 @@ std::optional<Block> extrinsics_of_rust(const IniLine& line, const std::string& 
   const std::size_t to = names.find(kTo);
   if (to == std::string::npos) return std::nullopt;
   Block block{Block::Kind::kPose, line.node, names.substr(0, to), names.substr(to + kTo.size())};
-  std::vector<Node>& R = block.values["Rotation Matrix"] = values_behind(line, "rotation");
-  constexpr std::size_t kElements = 9;
-  if (R.size() == kElements) {
-    std::swap(R[1], R[3]);
-    std::swap(R[2], R[6]);
-    std::swap(R[5], R[7]);
-  }
+  block.values["Rotation Matrix"] = by_rows(values_behind(line, "rotation"));
   block.values["Translation Vector"] = values_behind(line, "translation");
   return block;
 }
@@ -163,9 +173,49 @@ std::optional<Block> block_of_rust(const IniLine& line) {
   return extrinsics_of_rust(line, name);
 }
 
+/// A member's value or values.
+std::vector<Node> values_of(const Node& structure, std::string_view key) {
+  const Node* value = text::find(structure, key, text::Dialect::kPyYaml);
+  if (value == nullptr) return {};
+  return value->is_sequence() ? value->items : std::vector<Node>{*value};
+}
+
+/// "distortion.inverse_brown_conrady" as "Inverse Brown Conrady".
+void name_as_printed(Node& distortion) {
+  constexpr std::string_view kPrefix = "distortion.";
+  if (!distortion.value.starts_with(kPrefix)) return;
+  std::string name = distortion.value.substr(kPrefix.size());
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (i == 0 || name[i - 1] == ' ') name[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[i])));
+    if (name[i] == '_') name[i] = ' ';
+  }
+  distortion.value = name;
+}
+
+std::vector<Block> blocks_of_python(const Node& root) {
+  std::vector<Block> blocks;
+  for (const text::Entry& entry : root.entries) {
+    const auto has = [&entry](std::string_view key) { return !values_of(entry.value, key).empty(); };
+    const std::size_t to = entry.key.value.find("_to_");
+    if (has("ppx") && has("coeffs")) {
+      Block& block = blocks.emplace_back(Block{Block::Kind::kStream, &entry.value, entry.key.value});
+      for (const auto& [member, printed] : kMembers) block.values[printed] = values_of(entry.value, member);
+      for (Node& word : block.values["Distortion"]) name_as_printed(word);
+    } else if (to != std::string::npos && has("rotation") && has("translation")) {
+      constexpr std::size_t kTo = 4;
+      Block& block = blocks.emplace_back(
+          Block{Block::Kind::kPose, &entry.value, entry.key.value.substr(0, to), entry.key.value.substr(to + kTo)});
+      block.values["Rotation Matrix"] = by_rows(values_of(entry.value, "rotation"));
+      block.values["Translation Vector"] = values_of(entry.value, "translation");
+    }
+  }
+  return blocks;
+}
+
 }  // namespace
 
 std::vector<Block> blocks_of(const text::Document& document) {
+  if (document.syntax() == text::Syntax::kJson) return blocks_of_python(document.root());
   if (document.syntax() != text::Syntax::kWords) return {};
   const std::vector<IniLine> lines = ini_lines_of(document);
   std::vector<Block> blocks;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The blocks of what a RealSense camera's tools print, each number at its place. Two texts have them:
+// The blocks of what a RealSense camera's tools print, each number at its place. Three texts have them:
 //
 //   rs-enumerate-devices -c (tools/enumerate-devices/rs-enumerate-devices.cpp)
 //      Intrinsic of "Color" / 640x480 / {YUYV/RGB8}      for each stream and size; older: Intrinsic of "Color"   640x480   YUYV
@@ -12,6 +12,9 @@
 //   realsense-rust's structures, as Rust prints them for debugging
 //     depth Ok(Rs2Intrinsics(rs2_intrinsics { width: 640, ..., model: 4, coeffs: [..] }))
 //     depth to rgb: Ok(Rs2Extrinsics(rs2_extrinsics { rotation: [..], translation: [..] }))    column by column
+//   rs2.intrinsics and rs2.extrinsics of Python, as scripts save them in JSON
+//     {"color": {"width": 640, ..., "ppx": .., "model": "distortion.brown_conrady", "coeffs": [..]},
+//      "depth_to_color": {"rotation": [..], "translation": [..]}}                            column by column
 #pragma once
 
 #include "../ini_sections.h"
@@ -41,7 +44,7 @@ struct Block {
   }
 };
 
-/// In the order of the text. Empty: it is none of the two.
+/// In the order of the text. Empty: it is none of these.
 [[nodiscard]] std::vector<Block> blocks_of(const text::Document& document);
 
 }  // namespace fca::realsense

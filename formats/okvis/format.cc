@@ -75,7 +75,7 @@ std::vector<std::string> programs_of(const text::Document& document, const Rig& 
   if (is_first_generation(document)) return {"okvis"};
   if (eucm) return {"okvis2-x"};
   if (fresh) return {"okvis2", "okvis2-x"};
-  if (says_camera_models(document)) return {"okvis2-x", "okvis2"};
+  if (says_camera_models(document)) return {"okvis2", "okvis2-x"};
   return {"okvis2"};
 }
 
@@ -106,6 +106,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
                                    diagnostics);
   if (!document) return std::nullopt;
   std::vector<std::string> programs = programs_of(*document, rig, !edits);
+  const std::string_view program = programs.front() == "okvis2-x" ? "OKVIS2-X" : table.program;
   written.files.push_back({*std::move(document), {}, std::move(programs)});
   for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
   const Message no_place{Code::kFilesHaveNoPlace, {table.program}};
@@ -113,7 +114,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
                   written.losses);
   schema::list_losses(table, rig, no_place, written.losses);
   if (&table == &kOkvis2) list_imu_rate(rig, no_place, written.losses);
-  written.headline = {Code::kTableWrote, {kFormat.title, table.program}};
+  written.headline = {Code::kTableWrote, {kFormat.title, program}};
   return written;
 }
 

@@ -74,6 +74,12 @@ std::vector<Statement> write_body(const Subject& subject, const Key& key) {
 /// By their numbers.
 std::vector<Statement> write_synchronised(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
+  if (const ExtraField* kept = schema::kept_tuning(subject.rig, key)) {
+    const std::optional<std::vector<double>> numbers = text::reals_in(kept->value);
+    const double last = static_cast<double>(subject.rig.cameras.size()) - 1.0;
+    if (numbers && std::ranges::all_of(*numbers, [last](double number) { return number >= 0.0 && number <= last; }))
+      return schema::states(fields::scalar(key.text(), kept->value));
+  }
   fields::Field field;
   field.key = key.name;
   field.shape = fields::Shape::kList;

@@ -92,6 +92,7 @@ std::optional<Node> parse_npy(const Source& source, Diagnostics& diagnostics) {
   std::size_t at = begin + length;
   const std::size_t elements = (bytes.size() - at) / header->size;
   if (header->columns == 0 || header->rows > elements / header->columns) return refuse(Code::kNpyTruncated);
+  if (elements != header->rows * header->columns) return refuse(Code::kNpyLonger);
   if (header->rows > kLongestList || header->columns > kLongestList) return refuse(Code::kNpyOtherArray);
 
   Node root;

@@ -41,6 +41,17 @@ double largest_angle(const Table& table) {
   return largest;
 }
 
+/// No lens sees further from its axis; a single ray may be a mistake.
+constexpr double kFurthestDeg = 150.0;
+constexpr double kFewBehind = 0.02;
+
+double share_behind(const Table& table) {
+  double share = 0.0;
+  for (const Correspondence& entry : table)
+    share += angle_from_axis(entry.ray) > kFurthestDeg * kRadiansPerDegree ? entry.weight : 0.0;
+  return share;
+}
+
 /// What lies in the image, and on the lens by the caller's limits.
 Table of_domain(const Camera& camera, const ConvertOptions& options) {
   Table table = camera.rays;
@@ -115,6 +126,10 @@ std::optional<Conversion> convert_table(const Camera& camera, const ModelInfo& t
     return std::nullopt;
   }
   const Table table = of_domain(camera, options);
+  if (const double share = share_behind(table); share > kFewBehind) {
+    diagnostics.add(Code::kRaysAllAround, {camera.name, 100.0 * share});
+    return std::nullopt;
+  }
   if (too_few(table.size(), target)) {
     diagnostics.add(Code::kTooFewRaysToFit, {camera.name, target.id});
     return std::nullopt;

@@ -51,6 +51,8 @@ std::span<const CodeInfo> comparison_codes() {
                         "divide the translation by 1000")),
       about_poses(error(Code::kPoseInCentimetres, kMillimetres, "{0} has its translation in centimetres",
                         "divide the translation by 100")),
+      about_poses(error(Code::kPoseInHectometres, kMillimetres, "{0} has its translation 100 times too small",
+                        "multiply the translation by 100, or the reference's is in centimetres")),
       about_poses(error(Code::kPoseInKilometres, kMillimetres, "{0} has its translation 1000 times too small",
                         "multiply the translation by 1000")),
       error(Code::kPoseInverted, kInverted, "{0} is the inverse of what it should be: it holds {1}"),

@@ -31,6 +31,7 @@ constexpr std::array kSlips = {
     PoseSlip{Code::kPoseTransposed, &transposed},
     PoseSlip{Code::kPoseInMillimetres, [](const Transform& T) { return scaled(T, 1e-3); }},
     PoseSlip{Code::kPoseInCentimetres, [](const Transform& T) { return scaled(T, 1e-2); }},
+    PoseSlip{Code::kPoseInHectometres, [](const Transform& T) { return scaled(T, 1e2); }},
     PoseSlip{Code::kPoseInKilometres, [](const Transform& T) { return scaled(T, 1e3); }},
 };
 

@@ -66,7 +66,7 @@ struct Outcome {
   }
 };
 
-Outcome read(const std::string& name, const std::string& bytes, bool told = true) {
+Outcome read(const std::string& name, const std::string& bytes, bool told = true, const ReadOptions& options = {}) {
   Outcome outcome;
   std::optional<text::Document> document = text::parse_document({name, bytes}, outcome.diagnostics);
   if (!document) return outcome;
@@ -76,7 +76,7 @@ Outcome read(const std::string& name, const std::string& bytes, bool told = true
     if (!detected) return outcome;
     format = detected->format;
   }
-  outcome.calibration = read_calibration({*std::move(document)}, format, {}, outcome.diagnostics);
+  outcome.calibration = read_calibration({*std::move(document)}, format, options, outcome.diagnostics);
   return outcome;
 }
 
@@ -158,6 +158,26 @@ TEST(Rays, TablesThatDetermineNoLensAreRefused) {
   EXPECT_EQ(mapping.error()->facts.code, Code::kRaysWrongSyntax);
 }
 
+// The pixels run from (0, 0) to (100, 80).
+TEST(Rays, PixelsOfAnotherImageAreRefused) {
+  const auto code_for = [](int width, int height) {
+    ReadOptions options;
+    options.image_size = ImageSize{width, height};
+    const Outcome outcome = read("rays.txt", as_text(" "), true, options);
+    return outcome.error() != nullptr ? outcome.error()->facts.code : Code::kNone;
+  };
+  EXPECT_EQ(code_for(101, 81), Code::kNone);
+  EXPECT_EQ(code_for(640, 480), Code::kNone);
+  EXPECT_EQ(code_for(50, 40), Code::kRaysOfOtherImage) << "most of them are outside";
+  EXPECT_EQ(code_for(6400, 4800), Code::kRaysOfOtherImage) << "all of them are in one corner";
+}
+
+TEST(Rays, ColumnsInAnotherOrderAreNoticed) {
+  const Outcome outcome = read("rays.csv", "x,y,z,u,v\n" + as_text(","));
+  ASSERT_NE(outcome.error(), nullptr);
+  EXPECT_EQ(outcome.error()->facts.code, Code::kRaysOfOtherColumns);
+}
+
 TEST(Rays, DamagedArraysAreRefused) {
   const std::string whole = as_npy<double, std::uint64_t>("<f8");
   for (const std::size_t size : {6UL, 8UL, 9UL, 11UL, 60UL, whole.size() - 1}) {
@@ -165,6 +185,9 @@ TEST(Rays, DamagedArraysAreRefused) {
     ASSERT_NE(outcome.error(), nullptr) << size;
     EXPECT_EQ(outcome.error()->facts.code, Code::kNpyTruncated) << size;
   }
+  const Outcome longer = read("rays.npy", as_npy<double, std::uint64_t>("<f8", "(20, 5)"));
+  ASSERT_NE(longer.error(), nullptr);
+  EXPECT_EQ(longer.error()->facts.code, Code::kNpyLonger);
   for (const std::string& other :
        {as_npy<double, std::uint64_t>(">f8"), as_npy<double, std::uint64_t>("<i8"), as_npy<double, std::uint64_t>("|O"),
         as_npy<double, std::uint64_t>("<f8", "(30, 5)", "True"), as_npy<double, std::uint64_t>("<f8", "(150,)"),

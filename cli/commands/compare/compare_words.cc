@@ -93,8 +93,11 @@ std::string different_poses(const std::vector<PoseComparison>& poses) {
   const auto angle = std::ranges::max_element(poses, {}, &PoseComparison::angle_rad);
   const auto distance = std::ranges::max_element(poses, {}, &PoseComparison::distance_m);
   const auto name = [](const PoseComparison& pose) { return "T_" + pose.a + "_" + pose.b; };
-  if (angle == distance || angle->angle_rad == 0.0 || distance->distance_m == 0.0) {
-    return text::text_of(facts_of(distance->distance_m == 0.0 ? *angle : *distance), with_options);
+  constexpr double kNothing = 1e-9;  // rad, m
+  const bool is_turned = angle->angle_rad > kNothing;
+  const bool is_moved = distance->distance_m > kNothing;
+  if (angle == distance || !is_turned || !is_moved) {
+    return text::text_of(facts_of(is_moved ? *distance : *angle), with_options);
   }
   return name(*angle) + " differs by " + angle_text(angle->angle_rad) + ", " + name(*distance) + " by " +
          length_text(distance->distance_m);

@@ -39,6 +39,7 @@ std::string models_in_words(const ConvertedCamera& camera) {
 }
 
 std::string_view way_in_words(const ConvertedCamera& camera) {
+  if (!camera.target.rays.empty()) return "kept";
   if (!camera.source.rays.empty()) return "fitted";
   if (camera.source.model == camera.target.model) return "kept";
   return camera.report && camera.report->exact ? "exact" : "fitted";

@@ -146,9 +146,8 @@ void add_better_ways(const ConvertResult& outcome, std::vector<SummaryLine>& lin
 /// The options that write it so.
 std::string options_of(const OtherWriting& writing, const ConvertResult& outcome) {
   const std::string options = "--" + std::string(outcome.to->id) + "-layout " + writing.layout;
-  const bool same_model = std::ranges::all_of(outcome.cameras, [&writing](const ConvertedCamera& camera) {
-    return model_info(camera.target.model).id == writing.model;
-  });
+  const bool same_model = std::ranges::all_of(
+      outcome.cameras, [&writing](const ConvertedCamera& camera) { return camera.target.lens_id() == writing.model; });
   return same_model ? options : options + " --model " + writing.model;
 }
 
@@ -164,12 +163,14 @@ void add_other_writings(const ConvertResult& outcome, std::vector<SummaryLine>& 
   lines.push_back({"layouts", text});
 }
 
-/// Of a file that is not to be used, what would only ask for care is a detail.
+/// Of a file that is not to be used, what would only ask for care is a detail, but for what may be the cause.
 Verdict decisive(const Verdict& verdict) {
   Verdict result = verdict;
   if (verdict.word == VerdictWord::kDoNotUse) {
-    std::erase_if(result.reasons,
-                  [](const Reason& reason) { return reason.word != VerdictWord::kDoNotUse && !reason.is_accepted; });
+    std::erase_if(result.reasons, [](const Reason& reason) {
+      const bool may_be_cause = reason.facts.code == Code::kRayApart || reason.facts.code == Code::kRayOutside;
+      return reason.word != VerdictWord::kDoNotUse && !reason.is_accepted && !may_be_cause;
+    });
   }
   return result;
 }

@@ -2,6 +2,7 @@
 #include "convert/limits.h"
 #include "convert/other_writings.h"
 #include "convert/start.h"
+#include "convert/stray_ray.h"
 #include "convert/writing.h"
 #include "models/model_advice.h"
 
@@ -143,16 +144,6 @@ void add_remedies(const ConvertRequest& request, const Start& start, const Conve
       reason.remedy = {Code::kFitInsideAngle, {result.nearer->max_angle_deg, result.nearer->rms_px, rms_px}};
     }
   }
-}
-
-/// One ray of a table that is far from where all others put the lens.
-std::optional<Message> stray_ray(const ConvertedCamera& camera) {
-  if (camera.source.rays.empty() || !camera.report) return std::nullopt;
-  const ErrorSummary& error = camera.report->judgement.error;
-  constexpr double kFarPx = 1.0;
-  constexpr double kTimes = 10.0;
-  if (!(error.max > kFarPx) || !(error.max > kTimes * error.p99)) return std::nullopt;
-  return Message{Code::kRayApart, {camera.source.name, error.max_at[0], error.max_at[1], error.max, error.p99}};
 }
 
 std::vector<Finding> findings_of(const Start& start, const ConvertResult& before, const ConvertResult& result) {

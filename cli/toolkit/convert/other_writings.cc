@@ -80,9 +80,8 @@ bool has_same_models(const ConvertResult& a, const ConvertResult& b) {
 
 /// Does the layout store the models that the cameras have?
 bool stores_models(const Format& to, std::string_view layout, const ConvertResult& result) {
-  return std::ranges::all_of(result.cameras, [&](const ConvertedCamera& camera) {
-    return layout_stores(to, layout, camera.target.lens_id());
-  });
+  return std::ranges::all_of(result.cameras,
+                             [&](const ConvertedCamera& camera) { return layout_stores(to, layout, camera.target.lens_id()); });
 }
 
 bool is_good(const ConvertResult& result) {
@@ -234,9 +233,7 @@ void try_other_models(const ConvertRequest& request, const Start& start, const C
   std::optional<ConvertResult> best;
   for (const StoredModel& stored : result.to->models) {
     // Cameras that the program reads whole keep their model.
-    const auto stays = [&](const ConvertedCamera& camera) {
-      return camera.target.lens_id() == stored.model || is_cut(camera);
-    };
+    const auto stays = [&](const ConvertedCamera& camera) { return camera.target.lens_id() == stored.model || is_cut(camera); };
     if (!may_be_chosen(stored, choice) || !std::ranges::all_of(result.cameras, stays)) continue;
     other.model = find_model(stored.model);
     std::optional<ConvertResult> tried = written_as(other, start, before, result);

@@ -42,11 +42,14 @@ std::span<const CodeInfo> device_codes() {
               "{0} looks through a windshield that bends its rays (external_distortion), and fca-io reads the lens without it",
               "measure the pixels of rays with NCore's own code, windshield included, and read them as a table of rays"),
       warning(Code::kNcoreInverseFarOff, "stale-inverse",
-              "{0}: {1} is up to {2:.3} px from the inverse of {3}, up to {4:.3} degrees. fca-io reads {3}",
+              "{0}: {1} is not the inverse of {3}: it is up to {2:.3} px off as far as {4:.3} degrees, where it ends or "
+              "max_angle_rad does. fca-io reads {3}",
               "ask whoever wrote the file which one is right: a program that uses {1} sees another lens"),
-      note(Code::kRealsenseInverseModel, "lens-in-doubt",
-           "{0} says {1} with coefficients that are not 0. It is read as Brown Conrady from ray to pixel, as "
-           "today's librealsense and its ROS driver do; older versions took it from pixel to ray"),
+      note(
+          Code::kRealsenseInverseModel, "lens-in-doubt",
+          "{0} says {1} with coefficients that are not 0. It is read as Brown Conrady from ray to pixel, as librealsense's ROS "
+          "driver does. librealsense itself applies p1 and p2 to the distorted point, some hundredths of a pixel apart; "
+          "older versions took the lens from pixel to ray"),
       warning(Code::kRealsenseBlocksDiffer, "model-contradicts",
               "{0} at {1} stands twice with other numbers; the first is read"),
       warning(Code::kRealsenseCopiedBlock, "pose-doubtful",

@@ -60,6 +60,14 @@ std::optional<PixelFormula> camera(const std::string& bytes, std::size_t index) 
     formula.pixel = sensor_lens({k[0], k[4], k[2], k[5]}, list(root, "D_" + side), fisheye);
     return formula;
   }
+  if (at(root, "Camera", "model").as<std::string>() == "equirectangular") {
+    formula.pixel = [size = *formula.size](const Ray& ray) -> std::optional<Pixel> {
+      const double pi = std::acos(-1.0);
+      const double latitude = -std::asin(ray[1] / std::hypot(ray[0], ray[1], ray[2]));
+      return Pixel{size.width * (0.5 + std::atan2(ray[0], ray[2]) / (2.0 * pi)), size.height * (0.5 - latitude / pi)};
+    };
+    return formula;
+  }
   const std::vector<double> k = {number(root, "fx"), number(root, "fy"), number(root, "cx"), number(root, "cy")};
   const std::string model = at(root, "Camera", "model").as<std::string>();
   if (model == "perspective") {

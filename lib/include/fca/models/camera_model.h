@@ -56,8 +56,8 @@ struct TypeList {
 
 /// Every model fca knows, in the order in which they are listed to people.
 using ModelList = internal::TypeList<Pinhole, Radtan, Rational, Kb4, Ucm, Eucm, Ds, Mei, Fov, Ocamcalib, Woodscape, Opencv14,
-                                     Division, ThinPrismFisheye, Fisheye624, Ftheta, Skewed<Radtan>, Skewed<Rational>, Skewed<Opencv14>,
-                                     Skewed<Kb4>, Skewed<Mei>>;
+                                     Division, ThinPrismFisheye, Fisheye624, Ftheta, Skewed<Radtan>, Skewed<Rational>,
+                                     Skewed<Opencv14>, Skewed<Kb4>, Skewed<Mei>>;
 
 /// Any camera model with its parameters. Compares by value.
 using CameraModel = ModelList::Variant;
