@@ -288,6 +288,27 @@ TEST(Ncore, TwoConventionsOfPixelsAndPosesInTheVehicle) {
       0.0);
 }
 
+// As pyrealsense2's structures are saved: rotations column by column, points of the first stream to the second.
+TEST(Realsense, StructuresOfPythonInJson) {
+  const Outcome outcome = read("device.json", R"({
+    "depth": {"width": 640, "height": 480, "fx": 380.5, "fy": 381.5, "ppx": 320.25, "ppy": 240.75,
+              "model": "distortion.brown_conrady", "coeffs": [0.0, 0.0, 0.0, 0.0, 0.0]},
+    "color": {"width": 640, "height": 480, "fx": 605.5, "fy": 604.5, "ppx": 325.25, "ppy": 241.75,
+              "model": 4, "coeffs": [0.1, -0.2, 0.001, 0.002, 0.05]},
+    "depth_to_color": {"rotation": [0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0], "translation": [0.015, 0.001, 0.002]}})",
+                               "realsense");
+  ASSERT_TRUE(outcome.calibration);
+  EXPECT_EQ(model_info(outcome.camera("depth").model).id, "pinhole");
+  EXPECT_EQ(parameter(outcome.camera("depth").model, "cx"), 320.25);
+  EXPECT_EQ(model_info(outcome.camera("color").model).id, "radtan");
+  EXPECT_EQ(parameter(outcome.camera("color").model, "p2"), 0.002);
+  const std::optional<Transform> T = outcome.calibration->rig.resolve("color", "depth");
+  ASSERT_TRUE(T);
+  EXPECT_EQ((*T)(1, 0), 1.0);
+  EXPECT_EQ((*T)(0, 1), -1.0);
+  EXPECT_EQ((*T)(0, 3), 0.015);
+}
+
 /// Of an f-theta camera of 2000 x 1600 pixels whose polynomial from angle to distance is 500 angle.
 Outcome equidistant_ncore(const std::string& to_angle, const std::string& reference) {
   return read("rig.json",
