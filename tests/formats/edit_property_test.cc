@@ -136,7 +136,9 @@ std::optional<Calibration> read_back(const Base& base, const std::string& bytes)
 bool same_cameras(const Base& base, const Rig& a, const Rig& b) {
   const bool binned = base.calibration.format->id == "ros" && base.bytes.find("binning_") != std::string::npos;
   const std::string_view format = base.calibration.format->id;
-  const bool rounds = format == "dso" || format == "colmap" || format == "nerfstudio" || binned;
+  // ATAN counts in widths and heights of the image, as DSO's FOV lens does.
+  const bool in_shares = format == "fast-livo" && model_info(a.cameras.front().model).id == "fov";
+  const bool rounds = format == "dso" || in_shares || format == "colmap" || format == "nerfstudio" || binned;
   if (!rounds) return a.cameras == b.cameras;
   return std::ranges::equal(a.cameras, b.cameras, [](const Camera& x, const Camera& y) {
     return x.model.index() == y.model.index() &&
