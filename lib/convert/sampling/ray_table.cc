@@ -70,7 +70,9 @@ std::vector<Sighting> sightings_along(const Projection& projection, const Pixel&
 /// About the axis: evenly, and those of the image's corners; ascending.
 std::vector<double> directions_from(const Pixel& centre, const ImageSize& size) {
   constexpr int kEvenly = 64;
+  constexpr std::size_t kCorners = 4;
   std::vector<double> azimuths;
+  azimuths.reserve(kEvenly + kCorners);
   for (int i = 0; i < kEvenly; ++i) azimuths.push_back(2.0 * std::numbers::pi * (i + 0.5) / kEvenly - std::numbers::pi);
   for (const double u : {-0.5, size.width - 0.5}) {
     for (const double v : {-0.5, size.height - 0.5}) azimuths.push_back(std::atan2(v - centre[1], u - centre[0]));
