@@ -101,22 +101,35 @@ std::optional<Correspondence> entry_of(fields::Reader& reader, const Node& line,
   return entry;
 }
 
+/// From where to where the pixels run.
+struct Extent {
+  Pixel least;
+  Pixel most;
+};
+
+Extent extent_of(std::span<const Correspondence> rays) {
+  Extent extent = {rays.front().pixel, rays.front().pixel};
+  for (const Correspondence& entry : rays) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      extent.least.at(axis) = std::min(extent.least.at(axis), entry.pixel.at(axis));
+      extent.most.at(axis) = std::max(extent.most.at(axis), entry.pixel.at(axis));
+    }
+  }
+  return extent;
+}
+
 /// Do nearly all pixels lie in the image, and over more than a corner of it?
-bool fill_image(std::span<const Correspondence> rays, const ImageSize& size) {
+bool fill_image(std::span<const Correspondence> rays, const Extent& extent, const ImageSize& size) {
   constexpr double kBorder = 0.5;  // of pixels
   constexpr double kMostOutside = 0.1;
   constexpr double kLeastSpread = 0.1;
-  double outside = 0.0;
-  std::array<double, 2> least = rays.front().pixel;
-  std::array<double, 2> most = rays.front().pixel;
-  for (const Correspondence& entry : rays) {
+  const auto outside = std::ranges::count_if(rays, [&size](const Correspondence& entry) {
     const auto [u, v] = entry.pixel;
-    if (u < -kBorder || v < -kBorder || u > size.width - kBorder || v > size.height - kBorder) outside += 1.0;
-    least = {std::min(least[0], u), std::min(least[1], v)};
-    most = {std::max(most[0], u), std::max(most[1], v)};
-  }
-  const bool is_spread = most[0] - least[0] >= kLeastSpread * size.width || most[1] - least[1] >= kLeastSpread * size.height;
-  return is_spread && outside <= kMostOutside * static_cast<double>(rays.size());
+    return u < -kBorder || v < -kBorder || u > size.width - kBorder || v > size.height - kBorder;
+  });
+  const bool is_spread = extent.most[0] - extent.least[0] >= kLeastSpread * size.width ||
+                         extent.most[1] - extent.least[1] >= kLeastSpread * size.height;
+  return is_spread && static_cast<double>(outside) <= kMostOutside * static_cast<double>(rays.size());
 }
 
 std::optional<Camera> read_camera(const text::Document& document, const ReadOptions& options, Diagnostics& diagnostics) {
@@ -153,12 +166,11 @@ std::optional<Camera> read_camera(const text::Document& document, const ReadOpti
                     {camera.rays.size(), kFewestRays}, {document.source().name, 0, 0});
     return std::nullopt;
   }
-  if (camera.image_size && !fill_image(camera.rays, *camera.image_size)) {
-    const auto [left, right] = std::ranges::minmax(camera.rays, {}, [](const Correspondence& entry) { return entry.pixel[0]; });
-    const auto [top, bottom] = std::ranges::minmax(camera.rays, {}, [](const Correspondence& entry) { return entry.pixel[1]; });
+  const Extent extent = extent_of(camera.rays);
+  if (camera.image_size && !fill_image(camera.rays, extent, *camera.image_size)) {
     diagnostics.add(
         Code::kRaysOfOtherImage,
-        {left.pixel[0], right.pixel[0], top.pixel[1], bottom.pixel[1], camera.image_size->width, camera.image_size->height},
+        {extent.least[0], extent.most[0], extent.least[1], extent.most[1], camera.image_size->width, camera.image_size->height},
         {document.source().name, 0, 0});
     return std::nullopt;
   }

@@ -3,7 +3,7 @@
 
 #include "json.h"
 
-#include <fca/models/camera_model.h>
+#include <fca/rig/rig.h>
 
 namespace fca::cli {
 
@@ -13,6 +13,15 @@ inline void put_parameters(Json& json, const CameraModel& model) {
     const std::span<const Parameter> parameters = model_info(model).parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) json.put(parameters[i].name, parameter_values(model)[i]);
   });
+}
+
+/// Of a camera: a table of rays has none.
+inline void put_parameters(Json& json, const Camera& camera) {
+  if (camera.rays.empty()) {
+    put_parameters(json, camera.model);
+  } else {
+    json.object("parameters", [] {});
+  }
 }
 
 }  // namespace fca::cli

@@ -21,11 +21,11 @@ ConsumerView in_own_locale(std::string_view bytes, const LoadOptions& options) {
 constexpr double kDoublePrecisionPx = 1e-9;
 constexpr double kFloatPrecisionPx = 2e-4;
 
-/// It has four places for coefficients.
 constexpr std::array<std::string_view, 4> kTakenByOkvis2X = {"radialtangential", "equidistant", "radialtangential8", "eucm"};
 constexpr std::array<std::string_view, 5> kTakenByMaplab = {"pinhole, radial-tangential", "pinhole, equidistant",
                                                             "pinhole, fisheye", "pinhole, none",
                                                             "unified-projection, radial-tangential"};
+/// It has four places for coefficients.
 constexpr std::array kUnreadByInstantNgp = {UnreadParameter{"radtan", "k3"}};
 
 constexpr std::array kConsumers{

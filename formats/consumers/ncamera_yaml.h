@@ -3,6 +3,7 @@
 // and data, of which data is a list or a list of rows.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -51,5 +52,8 @@ class File {
 
 /// 16 numbers, row by row.
 [[nodiscard]] ConsumerPose pose_in_imu(const std::string& camera, const std::vector<double>& T_body_camera);
+
+/// How much an FOV lens of that parameter (> 0) widens the plane at its centre, times the parameter.
+[[nodiscard]] inline double fov_slope(double w) { return 2.0 * std::tan(0.5 * w); }
 
 }  // namespace fca::consumers::ncamera

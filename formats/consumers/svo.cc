@@ -22,8 +22,6 @@ using Numbers = std::vector<double>;
 
 constexpr double kNearAxis = 1e-3;  ///< Of an FOV lens, on the plane z = 1.
 
-double fov_slope(double s) { return 2.0 * std::tan(0.5 * s) / s; }
-
 std::optional<Pixel> on_plane(const std::string& distortion, const Numbers& d, const Ray& ray) {
   if (ray[2] == 0.0) return std::nullopt;
   const double x = ray[0] / ray[2];
@@ -69,7 +67,8 @@ void set_pinhole(ConsumerCamera& camera, const std::string& distortion, const Nu
     if (!plane) return std::nullopt;
     return Pixel{k[0] * (*plane)[0] + k[2], k[1] * (*plane)[1] + k[3]};
   };
-  if (distortion == "fisheye") camera.approximation_px = kNearAxis * std::max(k[0], k[1]) * std::abs(fov_slope(d[0]) - 1.0);
+  if (distortion == "fisheye")
+    camera.approximation_px = kNearAxis * std::max(k[0], k[1]) * std::abs(ncamera::fov_slope(d[0]) / d[0] - 1.0);
   if (distortion != "radial-tangential" && distortion != "equidistant") return;
   camera.unproject = [distortion, k, d](const Pixel& pixel) -> std::optional<Ray> {
     return from_plane(distortion, d, (pixel[0] - k[2]) / k[0], (pixel[1] - k[3]) / k[1]);

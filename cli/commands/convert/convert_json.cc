@@ -170,11 +170,7 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, std::span<const t
       json.put("from_model", camera.source.lens_id());
       json.put("to_model", camera.target.lens_id());
       json.put("exact", !camera.report || camera.report->exact);
-      if (camera.target.rays.empty()) {
-        put_parameters(json, camera.target.model);
-      } else {
-        json.object("parameters", [] {});
-      }
+      put_parameters(json, camera.target);
       if (camera.report) {
         put_report(json, *camera.report);
       } else {

@@ -21,12 +21,8 @@ void put_camera(Json& json, const Camera& camera, double limit_deg) {
   json.put("name", camera.name);
   json.put("model", camera.lens_id());
   const bool has_model = camera.rays.empty();
-  if (has_model) {
-    put_parameters(json, camera.model);
-  } else {
-    json.object("parameters", [] {});
-    json.put("rays", static_cast<long long>(camera.rays.size()));
-  }
+  put_parameters(json, camera);
+  if (!has_model) json.put("rays", static_cast<long long>(camera.rays.size()));
   const std::vector<std::string> elsewhere = has_model ? names_elsewhere(camera.lens_id()) : std::vector<std::string>();
   json.put("names_elsewhere", std::span<const std::string>(elsewhere));
   if (camera.image_size) {

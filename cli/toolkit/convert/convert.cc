@@ -73,7 +73,7 @@ std::optional<Verdict> verdict_on_mirrors(const ConvertResult& result) {
 }
 
 /// The format's own program, where the files are for another one and the request names neither that nor a layout or a base of
-/// it.
+/// it. Who asks for a format by its name asks for the program of that name, too (OKVIS).
 std::string_view not_written_for(const ConvertRequest& request, const ConvertResult& result) {
   const bool is_asked_for = request.program != nullptr || request.layout || !request.into.empty();
   const consumers::Consumer* own = consumers::own_program(result.to->id, true);
