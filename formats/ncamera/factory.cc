@@ -60,15 +60,24 @@ class FactoryReader {
     for (std::size_t i = 0; i < kKeys.size(); ++i) good = read_parameter(node, kKeys.at(i), kIds.at(i), camera, true) && good;
     for (std::size_t i = 0; i < lens->coefficients.size(); ++i)
       good = read_parameter(node, "cam_d" + std::to_string(i), lens->coefficients[i], camera, !lens->may_be_missing) && good;
-    const Node* width = reader_.find(node, "cam_width");
-    const Node* height = reader_.find(node, "cam_height");
-    if (width != nullptr && height != nullptr) camera.image_size = reader_.image_size(*width, *height, camera.name + " ");
-    good = good && (width == nullptr || camera.image_size) && read_pose(node, camera.name);
+    good = read_size(node, camera) && good && read_pose(node, camera.name);
     rig_.cameras.push_back(std::move(camera));
     return good;
   }
 
  private:
+  /// Both numbers, or none.
+  bool read_size(const Node& node, Camera& camera) {
+    constexpr std::string_view kWidth = "cam_width";
+    constexpr std::string_view kHeight = "cam_height";
+    if (reader_.find(node, kWidth) == nullptr && reader_.find(node, kHeight) == nullptr) return true;
+    const Node* width = reader_.require(node, kWidth, camera.name);
+    const Node* height = reader_.require(node, kHeight, camera.name);
+    if (width == nullptr || height == nullptr) return false;
+    camera.image_size = reader_.image_size(*width, *height, camera.name + " ");
+    return camera.image_size.has_value();
+  }
+
   bool read_parameter(const Node& node, std::string_view key, ParameterId id, Camera& camera, bool required) {
     const Node* number = required ? reader_.require(node, key, camera.name) : reader_.find(node, key);
     if (number == nullptr) return !required;
