@@ -253,6 +253,12 @@ ProbeResult probe(const text::Document& document) {
   return {};
 }
 
+constexpr std::array kModels = {
+    StoredModel{"radtan", "K_nn, D_nn", true, "KITTI", {}},
+    StoredModel{"pinhole", "P_rect_nn, P0", true, "KITTI", {}},
+};
+constexpr std::array kOwnFacts = {OwnFact{"rectified images, time of the calibration, pose of the LiDAR"}};
+
 }  // namespace
 
 const Format kFormat = {
@@ -264,7 +270,9 @@ const Format kFormat = {
     .program = "KITTI",
     .main_file = "perspective.txt",
     .imu = false,
-    .models = {},
+    .imu_pose = true,
+    .own_facts = kOwnFacts,
+    .models = kModels,
     .probe = probe,
     .read = read,
 };

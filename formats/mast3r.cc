@@ -81,6 +81,14 @@ ProbeResult probe(const text::Document& document) {
   return {};
 }
 
+constexpr std::array kModels = {
+    StoredModel{"radtan", "4 or 5 coefficients", true, "MASt3R-SLAM", {}},
+    StoredModel{"rational", "8 coefficients", true, "MASt3R-SLAM", {}},
+    StoredModel{"opencv14", "12 or 14 coefficients", true, "MASt3R-SLAM", {}},
+    StoredModel{"pinhole", "no coefficients", true, "MASt3R-SLAM", {}},
+};
+constexpr std::array kOwnFacts = {OwnFact{"other keys"}};
+
 }  // namespace
 
 const Format kFormat = {
@@ -93,7 +101,8 @@ const Format kFormat = {
     .many_cameras = false,
     .extrinsics = false,
     .imu = false,
-    .models = {},
+    .own_facts = kOwnFacts,
+    .models = kModels,
     .probe = probe,
     .read = read,
 };

@@ -248,6 +248,14 @@ ProbeResult probe(const text::Document& document) {
   return {evidence::kCamera, {Code::kFoundKeys, {std::vector<std::string>{root.tag, is_lens ? "f" : "chunk"}}}};
 }
 
+constexpr std::array kModels = {
+    StoredModel{"radtan", "frame", true, "Metashape", {}},
+    StoredModel{"kb4", "equidistant fisheye", true, "Metashape", {}},
+    StoredModel{"radtan-skew", "frame with b2", true, "Metashape", {}},
+    StoredModel{"kb4-skew", "equidistant fisheye with b2", true, "Metashape", {}},
+};
+constexpr std::array kOwnFacts = {OwnFact{"covariance, date, other keys of a lens"}};
+
 }  // namespace
 
 const Format kFormat = {
@@ -260,7 +268,8 @@ const Format kFormat = {
     .main_file = "cameras.xml",
     .extrinsics = false,
     .imu = false,
-    .models = {},
+    .own_facts = kOwnFacts,
+    .models = kModels,
     .probe = probe,
     .read = read,
 };

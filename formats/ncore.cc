@@ -378,6 +378,13 @@ class Reading {
     if (node == nullptr) return true;
     const std::optional<Numbers> cde = reader_.reals(*node, lens.cde.size(), label("linear_cde"));
     if (!cde) return false;
+    constexpr std::array<std::string_view, 3> kNames = {"c", "d", "e"};
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+      if (std::abs((*cde)[i]) <= kLargestParameter) continue;
+      reader_.say(node->items[i], Code::kNotACamera,
+                  {label("linear_cde"), Message{Code::kParameterTooLarge, {kNames.at(i), (*cde)[i]}}});
+      return false;
+    }
     if (std::ranges::any_of(*cde, [](double each) { return each != 0.0; })) std::ranges::copy(*cde, lens.cde.begin());
     return true;
   }
@@ -427,6 +434,13 @@ ProbeResult probe(const text::Document& document) {
   return {};
 }
 
+constexpr std::array kModels = {
+    StoredModel{"ftheta", "ftheta", true, "NCore", {}},           StoredModel{"opencv14", "opencv-pinhole", true, "NCore", {}},
+    StoredModel{"rational", "opencv-pinhole", true, "NCore", {}}, StoredModel{"radtan", "opencv-pinhole", true, "NCore", {}},
+    StoredModel{"pinhole", "opencv-pinhole", true, "NCore", {}},  StoredModel{"kb4", "opencv-fisheye", true, "NCore", {}},
+};
+constexpr std::array kOwnFacts = {OwnFact{"shutter, windshield, largest angle, the other polynomial"}};
+
 }  // namespace
 
 const Format kFormat = {
@@ -438,7 +452,8 @@ const Format kFormat = {
     .program = "NCore",
     .imu = false,
     .frame = kVehicle,
-    .models = {},
+    .own_facts = kOwnFacts,
+    .models = kModels,
     .probe = probe,
     .read = read,
 };

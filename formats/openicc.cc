@@ -320,6 +320,7 @@ constexpr std::array kModels = {
     StoredModel{"eucm", "EXTENDED_UNIFIED", true, kProgram, {}},
     StoredModel{"division", "DIVISION_UNDISTORTION", true, kProgram, {}},
     StoredModel{"pinhole", "PINHOLE", true, kProgram, {}},
+    StoredModel{"kb4-skew", "FISHEYE with skew", true, kProgram, {}},
 };
 constexpr std::array kOwnFacts = {OwnFact{"errors of the calibration, delay of a row"}};
 constexpr std::array<std::string_view, 2> kOfTheImages = {"calib_line_delay_us", "init_line_delay_us"};
@@ -337,6 +338,7 @@ const Format kFormat = {
     .many_cameras = false,
     .extrinsics = true,
     .imu = false,
+    .imu_pose = true,
     .image_size = true,
     .time_offset = true,
     .frame_rate = true,

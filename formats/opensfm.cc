@@ -228,6 +228,13 @@ ProbeResult probe(const text::Document& document) {
   return {};
 }
 
+constexpr std::array kModels = {
+    StoredModel{"radtan", "perspective, simple_radial, radial, brown", true, "OpenSfM", {}},
+    StoredModel{"kb4", "fisheye, fisheye_opencv", true, "OpenSfM", {}},
+    StoredModel{"fisheye624", "fisheye62, fisheye624 without tangential", true, "OpenSfM", {}},
+};
+constexpr std::array kOwnFacts = {OwnFact{"other keys of a camera"}};
+
 }  // namespace
 
 const Format kFormat = {
@@ -240,7 +247,8 @@ const Format kFormat = {
     .main_file = "camera_models.json",
     .extrinsics = false,
     .imu = false,
-    .models = {},
+    .own_facts = kOwnFacts,
+    .models = kModels,
     .probe = probe,
     .read = read,
 };

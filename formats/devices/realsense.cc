@@ -365,6 +365,7 @@ const Format kFormat = {
     .many_cameras = true,
     .extrinsics = true,
     .imu = false,
+    .imu_pose = true,
     .image_size = true,
     .own_facts = kOwnFacts,
     .models = kModels,

@@ -241,6 +241,9 @@ constexpr std::array kDemands = {
     Demand{"a label and ids", "label"},
     Demand{"a label and ids", "id"},
     Demand{"SVO's tuning", "tuning (", &Format::imu},
+    // The time offset stands among the IMU's numbers.
+    Demand{"SVO's tuning", "tuning (", &Format::time_offset},
+    Demand{"IMU noise and rate", "IMU ", &Format::time_offset, &Format::imu},
     Demand{.name = "inverse polynomial (fitted)", .key = "inverse polynomial", .of_model = "ocamcalib"},
 };
 

@@ -124,7 +124,7 @@ constexpr std::array kInPixels = {ParameterRange{"k1", 10.0, 1e9}};
 constexpr std::array kModels = {
     StoredModel{"woodscape", kModel, true, "WoodScape's projection.py", kInPixels, Code::kWoodscapeJsonInPixels}};
 constexpr std::array kOwnFacts = {OwnFact{"keys of its own"}};
-constexpr std::array kDemands = {Demand{"pose in the vehicle", "extrinsic"}};
+constexpr std::array kDemands = {Demand{.name = "pose in the vehicle", .key = "extrinsic", .of_frame = true}};
 
 }  // namespace
 

@@ -35,6 +35,7 @@ bool is_made_up(const Demand& demand, const Format& from, const Format& to) {
   const bool beside_others = !demand.of_model.empty() && to.models.size() > 1;
   if (beside_others && find_stored_model(from, demand.of_model, true) == nullptr) return false;
   if (demand.of != nullptr && !(from.*demand.of)) return false;
+  if (demand.of_frame && from.frame == to.frame) return false;
   if (demand.of == &Format::pair_poses && from.most_cameras <= 2) return false;
   if (demand.stated != nullptr && from.*demand.stated) return false;
   const bool computed_anew = !demand.of_model.empty();
@@ -114,9 +115,11 @@ void list_lost_to_pairs(const Format& from, const Format& to, std::vector<Messag
 
 std::vector<Message> dropped(const Format& from, const Format& to) {
   std::vector<Message> result;
+  const bool states_imu = from.imu || from.imu_pose;
   for (const Fact& fact : kFacts) {
     // A file of one camera states no pose but that in its frame; where that is the IMU, those between cameras follow.
-    const bool states_it = from.*fact.held && (fact.held != &Format::extrinsics || from.many_cameras || from.imu);
+    const bool is_held = fact.held == &Format::imu ? states_imu : from.*fact.held;
+    const bool states_it = is_held && (fact.held != &Format::extrinsics || from.many_cameras || states_imu);
     if (states_it && !(to.*fact.held)) result.push_back({fact.name});
   }
   // Files of one camera each are as many as one likes: they can be joined.
@@ -155,7 +158,8 @@ LedgerRow row(const Format& from, const Format& to) {
 
 std::vector<LedgerRow> ledger() {
   std::vector<LedgerRow> rows;
-  for (const Format& from : written_formats()) {
+  for (const Format& from : all_formats()) {
+    if (from.models.empty()) continue;  // rays are of no model
     for (const Format& to : written_formats()) {
       if (&from != &to) rows.push_back(row(from, to));
     }

@@ -83,6 +83,7 @@ struct Demand {
   bool Format::*of = nullptr;      ///< It is demanded only of what can hold this: an IMU's topic. Null: of everything.
   bool Format::*stated = nullptr;  ///< What can hold this states it. Null: only what demands the same does.
   std::string_view of_model = {};  ///< It is demanded of this model only, and computed anew.
+  bool of_frame = false;           ///< It is a pose in Format::frame, which a format with that frame states.
 };
 
 /// What a writer is asked for.
@@ -190,6 +191,7 @@ struct Format {
   bool any_length_unit = false;   ///< Its files do not say in what unit translations are; metres elsewhere.
   bool metres_by_custom = false;  ///< Its files do not state the unit of translations, and are in metres as a rule.
   bool imu = true;
+  bool imu_pose = false;          ///< Where `imu` is false: it says where the IMU sits, and nothing of its noise.
   bool noise_of_samples = false;  ///< Its IMU noise is one sample's; its reader makes densities of it.
   bool needs_imu = false;         ///< Its program does nothing without an IMU: its calibrations state one.
   bool imu_file = false;          ///< An IMU without cameras is a file of its own: Kalibr's imu.yaml.
