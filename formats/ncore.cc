@@ -386,7 +386,10 @@ class Reading {
       return false;
     }
     if (std::ranges::any_of(*cde, [](double each) { return each != 0.0; })) std::ranges::copy(*cde, lens.cde.begin());
-    return true;
+    const auto& [c, d, e] = lens.cde;
+    if (c - d * e > 0.0) return true;
+    reader_.say(*node, Code::kCalibResultsMirrors);
+    return false;
   }
 
   fields::Reader& reader_;
