@@ -43,7 +43,10 @@ class Lines {
  public:
   Lines(const text::Document& document, Diagnostics& diagnostics) : reader_(document, text::Dialect::kPyYaml, diagnostics) {
     for (const text::Entry& entry : document.root().entries) {
-      lines_.emplace(entry.key.value, Line{&entry.value, fields::words_in(entry.value, " \t")});
+      const auto [line, is_first] = lines_.emplace(entry.key.value, Line{&entry.value, fields::words_in(entry.value, " \t")});
+      if (is_first) continue;
+      const bool alike = line->second.value->value == entry.value.value;
+      reader_.say(entry.key, alike ? Code::kKeyTwiceAlike : Code::kKeyTwice, {entry.key.value});
     }
   }
 

@@ -454,6 +454,7 @@ bool matters(const Loss& loss, const Format& to, std::string_view mode) {
       return to.imu ? uses_imu : uses_poses;  // without an IMU it is a file of poses
     case Code::kImuDropped:
     case Code::kCamchainImuDropped:
+    case Code::kCamchainImuIncomplete:
     case Code::kVinsImuDropped:
     case Code::kVinsNoiseOfUnknownRate:
       return uses_imu;

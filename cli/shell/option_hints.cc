@@ -66,6 +66,8 @@ constexpr std::array kHints = {
     OptionHint{Code::kCamchainSizeMissing, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
     OptionHint{Code::kCamchainImuDropped, text::Part::kFix,
                "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one"},
+    OptionHint{Code::kCamchainImuIncomplete, text::Part::kFix,
+               "--imu-rate HZ states the rate, --with FILE what else is missing"},
     OptionHint{Code::kOpenvinsChainOtherLens, text::Part::kFix, kFromKalibr},
     OptionHint{Code::kOpenvinsChainTakenForRadtan, text::Part::kFix, kFromKalibr},
     OptionHint{Code::kCalibResultsInverseMissing, text::Part::kFix,

@@ -200,7 +200,10 @@ class ProgramsCheck {
       if (!attempt.mode.empty() && attempt.mode != "mono") in_mode = {{Code::kInMode, {attempt.mode}}};
       finding.facts = {Code::kProgramRefuses, {program.program, in_mode, complaint.facts}};
     }
-    if (has_fix(complaint)) {
+    // Whoever asks for a program may have the file of another.
+    const bool others_read =
+        options_.program != nullptr && std::ranges::any_of(report_.readers.programs, &Readers::Program::loads);
+    if (has_fix(complaint) && !others_read) {
       finding.remedy = complaint.facts;
     } else if (calibration_ != nullptr && !calibration_->rig.cameras.empty()) {
       finding.remedy = {Code::kCorrectOrRewrite, {how_to_write_for(program)}};

@@ -134,6 +134,7 @@ class ConfReader {
       reader_.say(reader_.document().root(), Code::kKeyMissing, {"the file", "[LEFT_CAM_HD]"});
       return false;
     }
+    warn_of_duplicates();
     if (sizes.size() < kSides.size() && find_section("STEREO") != nullptr) warn_of_missing("a second camera for [STEREO]");
     const auto chosen = devices::chosen_sizes(sizes, options_.image_size, reader_);
     if (!chosen) return false;
@@ -145,6 +146,19 @@ class ConfReader {
   }
 
  private:
+  /// The last of equal keys counts.
+  void warn_of_duplicates() {
+    for (const Section& section : sections_) {
+      for (const Value& value : section.values) {
+        const Node* counts = section.find(value.key);
+        if (counts == &value.number) continue;
+        const bool alike = counts->value == value.number.value;
+        reader_.say(value.number, alike ? Code::kKeyTwiceAlike : Code::kKeyTwiceUnlike,
+                    {value.key, counts->value, value.number.value});
+      }
+    }
+  }
+
   [[nodiscard]] const Section* find_section(std::string_view name) const {
     const auto found = std::ranges::find(sections_, name, &Section::name);
     return found == sections_.end() ? nullptr : &*found;

@@ -93,7 +93,7 @@ void add_imu_file(Imu imu, Written& written, Diagnostics& diagnostics) {
   const std::vector<std::string> missing = missing_in(imu, true);
   if (!missing.empty()) {
     const Message why{Code::kCamchainImuDemands, {kImuFile, missing}};
-    written.losses.push_back(lost(Code::kCamchainImuDropped, imu.name, "", {why}));
+    written.losses.push_back(lost(Code::kCamchainImuIncomplete, imu.name, "", {why}));
     return;
   }
   const std::string file_name = imu.name == "imu0" ? "imu.yaml" : imu.name + ".yaml";

@@ -124,7 +124,7 @@ void add_imu_file(const Rig& rig, std::vector<ExtraField>& said, Written& writte
   Imu imu = rig.imus.front();
   if (const std::vector<std::string> missing = kalibr::missing_in(imu, false); !missing.empty()) {
     const Message why{Code::kCamchainImuDemands, {"OpenVINS", missing}};
-    written.losses.push_back(lost(Code::kCamchainImuDropped, imu.name, "", {why}));
+    written.losses.push_back(lost(Code::kCamchainImuIncomplete, imu.name, "", {why}));
     return;
   }
   if (imu.topic.empty()) {

@@ -380,7 +380,7 @@ TEST(Base, AnImuWithoutATopicGetsOneToLookAt) {
   const std::optional<Written> without = find_format("kalibr")->write(nullptr, rig, {}, diagnostics);
   ASSERT_TRUE(without);
   EXPECT_EQ(without->files.size(), 1U);
-  EXPECT_TRUE(loses(*without, Code::kCamchainImuDropped, {"imu0", "update_rate"}));
+  EXPECT_TRUE(loses(*without, Code::kCamchainImuIncomplete, {"imu0", "update_rate"}));
 }
 
 }  // namespace

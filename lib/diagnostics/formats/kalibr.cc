@@ -39,6 +39,7 @@ std::span<const CodeInfo> kalibr_codes() {
       bad_request(Code::kCamchainImuNotStated, "no-camera", "{0} demands what the input does not state: {1}"),
       loss(Code::kCamchainImuDropped, "imu-dropped", "{0} noise and rate", "{2}",
            "keep its file; converted to Kalibr's format into a folder, a complete IMU is a file there"),
+      loss(Code::kCamchainImuIncomplete, "imu-dropped", "{0} noise and rate", "{2}", "give the program what is missing"),
       clause(Code::kCamchainImuDemands, "{0} demands {1}, too"),
 
       error(Code::kCamchainSizeMissing, "image-size-missing", "{0}: Kalibr demands a resolution and the input has none",

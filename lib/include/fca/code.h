@@ -474,6 +474,7 @@ enum class Code : std::uint16_t {
   kCamchainSizeMissing,
   kCamchainImuNotStated,
   kCamchainImuDropped,
+  kCamchainImuIncomplete,
   kCamchainImuDemands,
   kCamchainBaselineDropped,
   kCamchainNoKey,
