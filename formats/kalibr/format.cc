@@ -5,6 +5,8 @@
 #include "layout.h"
 #include "overlaps.h"
 
+#include "../known_formats.h"
+
 #include <fca/code.h>
 
 #include <array>
@@ -37,6 +39,8 @@ ProbeResult probe(const text::Document& document) {
     if (!index_in(entry.key.value, "cam") || !entry.value.is_mapping()) continue;
     for (const schema::Key& key : kCameraBlock.keys) {
       if (text::find(entry.value, key.name, text::Dialect::kPyYaml) != nullptr) {
+        // apex-camera-models' cameras have Kalibr's keys, too, and no distortion_model.
+        if (looks_like(document.source().bytes, Parsed::kYes).code == Code::kLooksLikeApex) return {};
         return {evidence::kCamera, Message{Code::kCamchainWithKey, {entry.key.value, key.name}}};
       }
     }

@@ -55,9 +55,24 @@ std::span<const CodeInfo> file_codes() {
             "write it for OpenCV: cx and fx times the width, cy and fy times the height, k1 to k6 as they are, p2 before p1; "
             "Rt is T_camera_device"),
       error(Code::kLooksLikeDriveWorks, kUnknown, "looks like DriveWorks' rig ({0} and {1}), which fca-io does not read",
-            "write its polynomial as a camera of NVIDIA NCore: bw-poly is pixeldist_to_angle_poly with reference_poly 1"),
-      error(Code::kLooksLikeIsaac, kUnknown, "looks like a camera of Isaac Sim ({0} and {1}), which fca-io does not read",
-            "write its polynomial as a camera of NVIDIA NCore: k0 to k4 are pixeldist_to_angle_poly with reference_poly 1"),
+            "write its polynomial ({1}) as a camera of NVIDIA NCore: it is pixeldist_to_angle_poly with reference_poly 1; "
+            "nominalSensor2Rig_FLU is T_rig_sensor, of a sensor with x ahead and z up: t in metres, roll-pitch-yaw in degrees"),
+      error(Code::kLooksLikeDriveWorksForward, kUnknown, "looks like DriveWorks' rig ({0} and {1}), which fca-io does not read",
+            "write its polynomial ({1}) as a camera of NVIDIA NCore: it is angle_to_pixeldist_poly with reference_poly 2; "
+            "nominalSensor2Rig_FLU is T_rig_sensor, of a sensor with x ahead and z up: t in metres, roll-pitch-yaw in degrees"),
+      error(
+          Code::kLooksLikeIsaac, kUnknown, "looks like a camera of Isaac Sim ({0} and {1}), which fca-io does not read",
+          "write its polynomial as a camera of NVIDIA NCore: k0 to k4, or fthetaPolyA to fthetaPolyE, are "
+          "pixeldist_to_angle_poly with reference_poly 1; its xformOps are T_parent_camera (xformOp:transform is transposed), "
+          "with y up and z back"),
+      error(Code::kLooksLikeIsaacOpenCv, kUnknown,
+            "looks like a camera of Isaac Sim with a lens of OpenCV's ({0} and {1}), which fca-io does not read",
+            "write it for OpenCV: fx fy cx cy, imageSize, and k1 k2 p1 p2 k3 to k6 s1 to s4, or k1 to k4 of the fisheye; its "
+            "xformOps are T_parent_camera (xformOp:transform is transposed), with y up and z back"),
+      error(
+          Code::kLooksLikeIsaacLens, kUnknown, "looks like a camera of Isaac Sim ({0} and {1}), which fca-io does not read",
+          "of RadTanThinPrism, k0 to k5, p0, p1 and s0 to s3 are COLMAP's RAD_TAN_THIN_PRISM_FISHEYE; of another lens, measure "
+          "rays and their pixels; its xformOps are T_parent_camera (xformOp:transform is transposed), with y up and z back"),
       error(Code::kLooksLikeEdex, kUnknown, "looks like a rig of cuVSLAM's edex ({0} and {1}), which fca-io does not read",
             "write each camera for OpenCV: focal, principal, and of brown k1 k2 k3 p1 p2; transform is T_rig_camera, with y up "
             "and z back"),
@@ -77,13 +92,16 @@ std::span<const CodeInfo> file_codes() {
             "looks like PhotonVision's calibration ({0} and {1}), which fca-io does not read",
             "write cameraIntrinsics and distCoeffs for OpenCV, number by number"),
       error(Code::kLooksLikeR3live, kUnknown, "looks like R3LIVE's configuration ({0} and {1}), which fca-io does not read",
-            "write camera_intrinsic and camera_dist_coeffs for OpenCV; camera_ext_R and camera_ext_t are its place at the "
+            "write camera_intrinsic and camera_dist_coeffs for OpenCV; camera_ext_R and camera_ext_t are T_imu_camera, of the "
             "LiDAR's IMU"),
-      error(Code::kLooksLikePhone, kUnknown, "looks like a phone's frames ({0} and {1}), which fca-io does not read",
-            "each frame is a pinhole with its own fx, fy, cx, cy: use what its app exports for nerfstudio or COLMAP"),
+      error(Code::kLooksLikePhone, kUnknown,
+            "looks like a phone's frames (Record3D, Polycam, 3D Scanner App) ({0} and {1}), which fca-io does not read",
+            "a frame is a pinhole, and its pose (poses, t_00 to t_23, cameraPoseARFrame) is T_world_camera, with y up and z "
+            "back: use what its app exports for nerfstudio or COLMAP"),
       error(Code::kLooksLikeOwnDump, kUnknown,
             "looks like what somebody has saved of a device, in no program's layout ({0} and {1}), which fca-io does not read",
-            "write each camera for OpenCV, or read the calibration out of the device again"),
+            "write each camera for OpenCV, or read the calibration out of the device again; rotation_left_to_right (R) and "
+            "translation_left_to_right (t) are T_right_left: p_right = R p_left + t"),
       error(Code::kLooksLikeMultiColRig, kUnknown,
             "looks like MultiCol-SLAM's poses of its cameras ({0} and {1}), which fca-io does not read",
             "its lenses are in other files (InteriorOrientationFisheye0.yaml); each pose takes points of the camera to the "
@@ -121,6 +139,51 @@ std::span<const CodeInfo> file_codes() {
             "give the file that the program wrote"),
       error(Code::kLooksLikeImageList, kUnknown, "looks like a list of images, no calibration ({0} and {1})",
             "give the file that was made from them"),
+      error(Code::kLooksLikePoseAlone, kUnknown,
+            "looks like one pose alone, 12 numbers as in KITTI-360's calib_cam_to_velo.txt, which fca-io does not read",
+            "give perspective.txt and calib_cam_to_pose.txt; calib_cam_to_velo.txt is T_velo_cam, of image_00; which way the "
+            "12 numbers of another file go is not stated"),
+      error(Code::kLooksLikeKittiRawPose, kUnknown,
+            "looks like KITTI's pose of one sensor at another (R: and T:), which fca-io does not read",
+            "give calib_cam_to_cam.txt; calib_velo_to_cam.txt is T_cam_velo (x_cam = R x_velo + T), calib_imu_to_velo.txt "
+            "T_velo_imu"),
+      error(
+          Code::kLooksLikeRealsenseStream, kUnknown,
+          "looks like the intrinsics of one stream of a RealSense camera, without its name ({0} and {1})",
+          "put the stream's name before them in JSON, {{\"color\": {{...}}}}, or write them for OpenCV, with width and height: "
+          "inverse_brown_conrady with zeros is a pinhole; they state no pose"),
+      error(Code::kLooksLikeMatlabPrint, kUnknown,
+            "looks like what MATLAB prints of its camera parameters ({0} and {1}), which fca-io does not read",
+            "write its numbers for OpenCV, those of a fisheye as OCamCalib's calib_results.txt; ask MATLAB for what it prints "
+            "as [1x2 double]; the principal point counts from 1; no pose of the camera is printed"),
+      error(Code::kLooksLikeRovio, kUnknown, "looks like ROVIO's configuration ({0} and {1}), which fca-io does not read",
+            "its lenses are in the files that CalibrationFile names, ROS camera_info; qCM is the rotation of T_camera_imu "
+            "(Hamilton), MrMC the translation of T_imu_camera"),
+      error(Code::kLooksLikeOpenMvg, kUnknown, "looks like openMVG's sfm_data ({0} and {1}), which fca-io does not read",
+            "export it for COLMAP (openMVG_main_openMVG2Colmap); of an image's pose, rotation is that of T_camera_world, and "
+            "center is where the camera is in the world"),
+      error(Code::kLooksLikeColmapImages, kUnknown, "looks like COLMAP's poses of images, no calibration ({0} and {1})",
+            "give cameras.txt, and rigs.txt if there is one; QW to TZ are T_camera_world, of one image"),
+      error(Code::kLooksLikeKalibrReport, kUnknown,
+            "looks like Kalibr's report in words ({0} and {1}), which fca-io does not read",
+            "give the camchain that Kalibr wrote beside it; T_1_0 is T_cam1_cam0, T_ci T_cam_imu"),
+      error(Code::kLooksLikeKalibrTarget, kUnknown,
+            "looks like the target that Kalibr calibrates with, no calibration ({0} and {1})",
+            "give the camchain that Kalibr wrote"),
+      error(Code::kLooksLikeApex, kUnknown,
+            "looks like a camera of apex-camera-models, with Kalibr's keys and other lenses ({0} {1}), which fca-io does not "
+            "read",
+            "write it as a Kalibr camchain: kannala_brandt is pinhole with equidistant, and double_sphere ends in alpha xi (in "
+            "older files xi alpha), which Kalibr's ds begins with as xi alpha; it states no pose"),
+      error(Code::kLooksLikeKimeraTemplate, kUnknown,
+            "looks like Kimera-VIO's template of a camera's file, whose numbers are not filled in ({0} and {1})",
+            "give the Kalibr camchain that it is filled in from; T_BS is T_body_camera"),
+      error(
+          Code::kLooksLikeDepthaiByName, kUnknown,
+          "looks like DepthAI's calibration in another spelling, cameraData as an object ({0} and {1}), which fca-io does not "
+          "read",
+          "write cameraData as a device's EEPROM has it, pairs of a socket's number and its camera (CAM_A is 0, CAM_B 1); "
+          "extrinsics take points of a camera to toCameraSocket's: p_to = R p_this + t, in centimetres"),
       error(Code::kFormatAmbiguous, "ambiguous-format", "could be {0:or}", "say which format it is"),
       clause(Code::kFormatCandidate, "{0} ({1})"),
 
@@ -146,7 +209,7 @@ std::span<const CodeInfo> file_codes() {
                   "convert the camera to this format's ranges first"),
       // A table of rays.
       error(Code::kRaysWrongSyntax, "wrong-syntax", "a table of rays has lines of numbers: u v x y z"),
-      error(Code::kTooFewRays, "wrong-length", "there are {0} rays; at least {1} are wanted",
+      error(Code::kTooFewRays, "wrong-length", "too few rays: {0}; at least {1} are wanted",
             "measure more: some hundred, spread over the image"),
       error(Code::kLensWithoutTable, "not-a-camera",
             "{0}: these numbers are no lens that sees: its axis has no pixel, or fewer than {1} rays reach the image",

@@ -87,6 +87,80 @@ const std::array kForeign = {
     Foreign{"list.xml",
             "<?xml version=\"1.0\"?>\n<opencv_storage>\n<imagelist>\n\"left01.png\"\n</imagelist>\n</opencv_storage>\n",
             Code::kLooksLikeImageList},
+    Foreign{"calib_cam_to_velo.txt", "0 0 1 0.75 -1 0 0 0.25 0 -1 0 -0.125\n", Code::kLooksLikePoseAlone},
+    Foreign{"calib_velo_to_cam.txt",
+            "calib_time: 01-Jan-2020 10:00:00\nR: 0 -1 0 0 0 -1 1 0 0\nT: 0.125 -0.0625 -0.25\ndelta_f: 0 0\ndelta_c: 0 0\n",
+            Code::kLooksLikeKittiRawPose},
+    Foreign{"calib_imu_to_velo.txt", "calib_time: 01-Jan-2020 10:00:00\r\nR: 1 0 0 0 1 0 0 0 1\r\nT: -0.75 0.25 -0.75\r\n",
+            Code::kLooksLikeKittiRawPose},
+    Foreign{"rig.json", R"({"rig": {"sensors": [{"properties": {"polynomial-type": "angle-to-pixeldistance"}}]}})",
+            Code::kLooksLikeDriveWorksForward},
+    Foreign{"pinhole.usda",
+            "#usda 1.0\ndef Camera \"x\" (\n  prepend apiSchemas = [\"OmniLensDistortionOpenCvPinholeAPI\"]\n)\n{\n}\n",
+            Code::kLooksLikeIsaacOpenCv},
+    Foreign{"fisheye.usda",
+            "#usda 1.0\ndef Camera \"x\" (\n  prepend apiSchemas = [\"OmniLensDistortionOpenCvFisheyeAPI\"]\n)\n{\n}\n",
+            Code::kLooksLikeIsaacOpenCv},
+    Foreign{"prism.usda",
+            "#usda 1.0\ndef Camera \"x\" (\n  prepend apiSchemas = [\"OmniLensDistortionRadTanThinPrismAPI\"]\n)\n{\n}\n",
+            Code::kLooksLikeIsaacLens},
+    Foreign{
+        "older.usda",
+        "#usda 1.0\ndef Camera \"x\"\n{\n  token cameraProjectionType = \"fisheyePolynomial\"\n  float fthetaPolyA = 0\n}\n",
+        Code::kLooksLikeIsaac},
+    Foreign{"color.json",
+            R"({"width": 640, "height": 480, "ppx": 320.5, "ppy": 240.5, "fx": 610.5, "fy": 610.25,)"
+            R"( "model": "distortion.inverse_brown_conrady", "coeffs": [0.0, 0.0, 0.0, 0.0, 0.0]})",
+            Code::kLooksLikeRealsenseStream},
+    Foreign{"printed.txt",
+            "  cameraParameters with properties:\n\n   Camera Intrinsics\n     IntrinsicMatrix: [3x3 double]\n\n   Lens "
+            "Distortion\n"
+            "    RadialDistortion: [1x2 double]\n",
+            Code::kLooksLikeMatlabPrint},
+    Foreign{"printed.txt",
+            "  cameraIntrinsics with properties:\n\n    FocalLength: [800.5 801.5]\n      ImageSize: [480 640]\n",
+            Code::kLooksLikeMatlabPrint},
+    Foreign{"printed.txt", "  fisheyeIntrinsics with properties:\n\n  MappingCoefficients: [880.5 -0.25 0.125 -0.5]\n",
+            Code::kLooksLikeMatlabPrint},
+    Foreign{"metadata.json", R"({"w": 720, "h": 960, "fps": 60, "K": [700.5], "poses": [[0, 0, 0, 1, 0, 0, 0]]})",
+            Code::kLooksLikePhone},
+    Foreign{"frame_00000.json", R"({"cameraPoseARFrame": [1, 0, 0, 0.5], "intrinsics": [1400.5, 0, 960.5], "time": 1.5})",
+            Code::kLooksLikePhone},
+    Foreign{"avia.yaml", "camera:\n  img_topic: /image\n  Rcl: [0, -1, 0, 0, 0, -1, 1, 0, 0]\n  Pcl: [0.1, 0.2, 0.3]\n",
+            Code::kLooksLikeFastLivoPoses},
+    Foreign{"rovio.info", "Camera0\n{\n\tCalibrationFile ;\n\tqCM_x 0.5;\tX of a quaternion\n\tMrMC_x 0.125;\n}\n",
+            Code::kLooksLikeRovio},
+    Foreign{"rtabmap.ini", "[Core]\nVersion = 0.21\nMem\\STMSize = 10\n", Code::kLooksLikeRtabMap},
+    Foreign{"rtabmap.ini", "[Core]\nKp\\MaxFeatures=500\nVis\\MinInliers=20\n", Code::kLooksLikeRtabMap},
+    Foreign{"sfm_data.json", R"({"sfm_data_version": "0.3", "views": [], "intrinsics": [], "extrinsics": []})",
+            Code::kLooksLikeOpenMvg},
+    Foreign{"images.txt", "# IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME\n1 1 0 0 0 0.5 0 0 1 a.png\n\n",
+            Code::kLooksLikeColmapImages},
+    Foreign{
+        "results-cam.txt",
+        "Calibration results \n====================\nCamera-system parameters:\n\tcam0 (/image):\n"
+        "\t distortion: [0.125 0.25 0. 0.] +- [0.5 0.5 0.5 0.5]\n\t projection: [500.5 500.5 320.5 240.5] +- [1. 1. 1. 1.]\n",
+        Code::kLooksLikeKalibrReport},
+    Foreign{"results-imucam.txt",
+            "Calibration results\n===================\nNormalized Residuals\n----------------------------\n"
+            "Transformation (cam0):\nT_ci:  (imu0 to cam0): \n[[1. 0. 0. 0.5]\n",
+            Code::kLooksLikeKalibrReport},
+    Foreign{"april.yaml", "target_type: 'aprilgrid'\ntagCols: 6\ntagRows: 6\ntagSize: 0.0625\ntagSpacing: 0.25\n",
+            Code::kLooksLikeKalibrTarget},
+    Foreign{"board.yaml", "target_type: 'checkerboard'\ntargetCols: 6\ntargetRows: 7\n", Code::kLooksLikeKalibrTarget},
+    Foreign{"kb.yaml",
+            "cam0:\n  camera_model: kannala_brandt\n  intrinsics: [190.5, 190.5, 254.5, 256.5]\n"
+            "  distortion: [0.25, 0.125, -0.25, 0.125]\n  resolution: [512, 512]\n",
+            Code::kLooksLikeApex},
+    Foreign{"ds.yaml", "cam0:\n  camera_model: double_sphere\n  intrinsics: [348.5, 347.5, 365.5, 249.5, 0.5625, -0.25]\n",
+            Code::kLooksLikeApex},
+    Foreign{"camera.yaml",
+            "%YAML:1.0\n\n{{ metadata }}\n\ncamera_id: {{ camera_id }}\nT_BS:\n  data: {{ T_BS }}\n"
+            "camera_model: {{ camera_model }}\n",
+            Code::kLooksLikeKimeraTemplate},
+    Foreign{"calib.json",
+            R"({"boardName": "a", "boardConf": "b", "cameraData": {"CAM_A": {"intrinsicMatrix": [[500.5, 0, 320.5]]}}})",
+            Code::kLooksLikeDepthaiByName},
 };
 
 TEST(ForeignFiles, EachIsNamed) {
@@ -103,6 +177,28 @@ TEST(ForeignFiles, ASlipInOneOfOursIsToldAsSuch) {
   const std::optional<Message> said = refusal("camera_matrix: {data: [1, 2\ndistortion_coefficients: 3\n", "ost.yaml");
   ASSERT_TRUE(said);
   EXPECT_FALSE(same_id(said->code, Code::kFormatUnknown));
+}
+
+/// Kalibr has lenses of these names, too: what lacks is told as of a chain.
+TEST(ForeignFiles, AChainWithoutItsDistortionIsAChain) {
+  for (const std::string lens : {"pinhole", "eucm"}) {
+    const std::string chain = "cam0:\n  camera_model: " + lens + "\n  intrinsics: [190.5, 190.5, 254.5, 256.5]\n";
+    EXPECT_FALSE(refusal(chain, "camchain.yaml")) << lens;
+  }
+}
+
+TEST(ForeignFiles, TwelveNumbersWithoutARotationAreNoPose) {
+  const std::optional<Message> said = refusal("500.5 0 320.5 0 0 500.5 240.5 0 0 0 1 0\n", "P.txt");
+  ASSERT_TRUE(said);
+  EXPECT_EQ(said->code, Code::kFormatUnknown);
+}
+
+/// Longer than fca-io reads, as real ones are.
+TEST(ForeignFiles, LongListsOfImagesAreNamed) {
+  const std::string line(3U << 20U, ' ');
+  const std::optional<Message> said = refusal("# IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME\n" + line, "images.txt");
+  ASSERT_TRUE(said);
+  EXPECT_EQ(said->code, Code::kLooksLikeColmapImages);
 }
 
 TEST(ForeignFiles, NoneOfTheCorpusIsUnknown) {
