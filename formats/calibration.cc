@@ -10,6 +10,7 @@
 
 #include <fca/code.h>
 #include <fca/formats/read_back.h>
+#include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/contradictions.h>
 #include <fca/rig/limits.h>
@@ -316,6 +317,19 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
     forget_common_origins(result.rig, diagnostics);
   result.documents = std::move(documents);
   return result;
+}
+
+std::vector<ImageSize> offered_sizes(const Diagnostics& diagnostics) {
+  std::vector<ImageSize> sizes;
+  for (const Diagnostic& entry : diagnostics.entries()) {
+    if (entry.severity == Severity::kError && entry.facts.code != Code::kDeviceSizeNeeded) return {};
+    if (entry.facts.code != Code::kDeviceSizeNeeded) continue;
+    for (const std::string& size : std::get<std::vector<std::string>>(entry.facts.arguments.front().value)) {
+      const std::size_t x = size.find('x');
+      sizes.push_back({text::parse_int(size.substr(0, x)).value_or(0), text::parse_int(size.substr(x + 1)).value_or(0)});
+    }
+  }
+  return sizes;
 }
 
 std::optional<Written> write_calibration(const Format& format, const text::Document* base, const Rig& rig,

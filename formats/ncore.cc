@@ -318,7 +318,10 @@ class Reading {
 
   /// How far the two polynomials are from each other's inverse, as far as the program uses them.
   void tell_inverse(const Polynomials& lens) {
-    if (lens.to_distance.empty() || lens.to_angle.empty() || !std::isfinite(lens.corner_px)) return;
+    const auto is_absent = [](const Numbers& polynomial) {
+      return std::ranges::all_of(polynomial, [](double each) { return each == 0.0; });
+    };
+    if (is_absent(lens.to_distance) || is_absent(lens.to_angle) || !std::isfinite(lens.corner_px)) return;
     const Disagreement found = disagreement(lens.to_distance, lens.to_angle, lens.largest_px, lens.max_angle_rad);
     const std::string counts(lens.by_angle ? kToAngle : kToDistance);
     const std::string other(lens.by_angle ? kToDistance : kToAngle);

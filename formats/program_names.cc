@@ -116,7 +116,7 @@ constexpr std::array kNames = {
     ProgramName{kNerfstudio, "nerfstudio", "nerfstudio"},
     ProgramName{.names = kInstantNgp, .title = "instant-ngp", .format = "nerfstudio", .consumer = "instant-ngp"},
     ProgramName{kStella, "stella_vslam", "stella"},
-    ProgramName{.names = kOpenvslam, .title = "OpenVSLAM", .format = "stella", .consumer = "openvslam"},
+    ProgramName{.names = kOpenvslam, .title = "OpenVSLAM", .format = "stella", .layout = "openvslam", .consumer = "openvslam"},
     ProgramName{kFastLivo, "FAST-LIVO", "fast-livo"},
     ProgramName{kDepthai, "DepthAI", "depthai"},
     ProgramName{kOpenicc, "OpenImuCameraCalibrator", "openicc"},

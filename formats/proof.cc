@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace fca {
@@ -19,6 +20,9 @@ namespace {
 /// `tolerance` is what separates two implementations that hold the same numbers; the parameters, too, are rounded when a
 /// program stores them as floats (2.6e-4 px on a T265).
 constexpr double kRounding = 5.0;
+
+/// A pixel and that of its ray, in pixels.
+constexpr double kSamePixel = 1e-3;
 
 /// Steps of the lattices over a camera's image.
 constexpr int kCoarse = 24;
@@ -68,9 +72,25 @@ struct Area {
   std::optional<double> rays = {};
 };
 
-/// The difference in pixels; 0 where there is nothing to compare.
-double compare_pixel(const Pixel& pixel, const Ray& ray, const consumers::ConsumerCamera& theirs, const Area& area,
-                     double tolerance, Comparison& result) {
+/// How far apart the last digits of a ray put its pixels: far where a rational function nearly divides by 0.
+double rounding_px(const CameraModel& model, const Ray& ray) {
+  constexpr double kLast = std::numeric_limits<double>::epsilon();
+  const std::optional<Pixel> pixel = project(model, ray);
+  double largest = 0.0;
+  for (std::size_t i = 0; pixel && i < ray.size(); ++i) {
+    for (const double digits : {-2.0, -1.0, 1.0, 2.0}) {
+      Ray near = ray;
+      near[i] *= 1.0 + digits * kLast;
+      const std::optional<Pixel> other = project(model, near);
+      if (other) largest = std::max(largest, distance(*pixel, *other));
+    }
+  }
+  return largest;
+}
+
+/// The difference in pixels; 0 where there is nothing to compare. `model`: the ray's; null for one of a table.
+double compare_pixel(const Pixel& pixel, const Ray& ray, const CameraModel* model, const consumers::ConsumerCamera& theirs,
+                     const Area& area, double tolerance, Comparison& result) {
   result.asked += area.pixels;
   const std::optional<Pixel> image = theirs.project(ray);
   if (!image) return 0.0;
@@ -93,7 +113,8 @@ double compare_pixel(const Pixel& pixel, const Ray& ray, const consumers::Consum
   result.worst = std::max(result.worst, difference);
   const double allowed = (kRounding * tolerance + theirs.approximation_px) *
                          std::max({1.0, std::abs(pixel[0]) / 1000.0, std::abs(pixel[1]) / 1000.0});
-  if (!(difference <= allowed)) result.agrees = false;
+  if (difference <= allowed) return difference;
+  if (model == nullptr || !(difference <= allowed + kRounding * rounding_px(*model, ray))) result.agrees = false;
   return difference;
 }
 
@@ -111,7 +132,10 @@ Comparison compare_camera(const Camera& ours, const consumers::ConsumerCamera& t
     if (ours.lens_circle && !ours.lens_circle->contains(pixel)) return false;
     const std::optional<Ray> ray = unproject(ours.model, pixel);
     if (!ray || (*ray)[2] < last_cosine) return false;
-    const double difference = compare_pixel(pixel, *ray, theirs, area, tolerance, result);
+    // Near a fold a ray is only nearly that of the pixel: the ray's own is compared.
+    const std::optional<Pixel> of_ray = project(ours.model, *ray);
+    const bool is_near = of_ray && distance(*of_ray, pixel) < kSamePixel;
+    const double difference = compare_pixel(is_near ? *of_ray : pixel, *ray, &ours.model, theirs, area, tolerance, result);
     if (!(difference > worst)) return false;
     worst = difference;
     worst_pixel = pixel;
@@ -164,7 +188,7 @@ Comparison compare_table(const Camera& ours, const consumers::ConsumerCamera& th
   for (const Correspondence& entry : ours.rays) {
     if (angle_from_axis(entry.ray) > max_angle_rad) continue;
     const double area = entry.weight * kImageArea;
-    compare_pixel(entry.pixel, entry.ray, theirs, {area, area}, tolerance, result);
+    compare_pixel(entry.pixel, entry.ray, nullptr, theirs, {area, area}, tolerance, result);
   }
   return result;
 }

@@ -91,7 +91,8 @@ constexpr std::array kChanges = {
 
 void add_input_options(Options& options, Inputs& inputs) {
   options.group(OptionGroup::kReading);
-  options.value("--from", "FORMAT", "The input's format, one of those of convert --to (default: found by its content)",
+  options.value("--from", "FORMAT",
+                "The input's format, one of fca-io formats, or a program's name (default: found by its content)",
                 [&inputs](const std::string& word) { return take_format("--from", word, inputs.format); });
   options.each("--with", "FILE", "A further part of the same calibration, e.g. imu.yaml; may be given several times",
                inputs.parts);

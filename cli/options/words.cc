@@ -5,6 +5,7 @@
 #include <fca/formats/program_names.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
+#include <fca/toolkit/programs.h>
 #include <fca/toolkit/target.h>
 
 #include <algorithm>
@@ -109,6 +110,15 @@ std::string unknown_target(const std::string& option, const std::string& word) {
     return "'" + word + "' is a camera model; " + option + " takes a format" +
            (option == "--to" ? " (and --model " + word + ")" : "");
   return program != nullptr ? not_served(*program, option) : unknown_format(word);
+}
+
+std::string unknown_program(const std::string& word) {
+  const ProgramName* program = find_program_name(word);
+  if (program != nullptr && !program->is_served()) return unknown_target("--for", word);
+  const Format* format = find_format(program != nullptr ? program->format : word);
+  if (format == nullptr) return unknown_word("program", word, program_ids());
+  return "fca-io imitates no program that reads files of " + std::string(format->program) + " (" + std::string(format->id) +
+         ")";
 }
 
 std::optional<std::string> take_format(const std::string& option, const std::string& word, const Format*& target) {

@@ -44,6 +44,9 @@ namespace fca::cli {
 /// Of a name that is no target: what its program reads and what is nearest, or that nobody knows it.
 [[nodiscard]] std::string unknown_target(const std::string& option, const std::string& word);
 
+/// Of a name that --for does not know.
+[[nodiscard]] std::string unknown_program(const std::string& word);
+
 /// Takes a format, or a camera model, of that name. Returns why it cannot, in a sentence.
 [[nodiscard]] std::optional<std::string> take_format(const std::string& option, const std::string& word, const Format*& target);
 /// --to: also a program's name, which may stand for a layout or a syntax, too.

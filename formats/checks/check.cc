@@ -235,7 +235,7 @@ bool CheckReport::has(Severity severity) const {
 namespace {
 
 /// As far as the file can be read: text, format, calibration, which goes into `calibration`.
-CheckReport looked_at(const text::Source& source, const CheckOptions& options, std::optional<Calibration>& calibration) {
+CheckReport looked_at(const text::Source& source, CheckOptions options, std::optional<Calibration>& calibration) {
   CheckReport report;
   checks::Findings findings(report);
   Diagnostics diagnostics;
@@ -259,6 +259,14 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options, s
   report.format = detected->format;
   report.why = detected->why;
   calibration = read_calibration({*document}, detected->format, options.reading, diagnostics);
+  if (const std::vector<ImageSize> sizes = offered_sizes(diagnostics); !sizes.empty()) {
+    options.reading.image_size = sizes.front();  // what is wrong with one is wrong with all, as a rule
+    Diagnostics of_size;
+    calibration = read_calibration({*document}, detected->format, options.reading, of_size);
+    for (const Diagnostic& entry : diagnostics.entries())
+      of_size.add(Severity::kNote, entry.facts.code, entry.facts.arguments, entry.where);
+    diagnostics = std::move(of_size);
+  }
   checks::take_over(diagnostics, source, calibration.has_value(), findings);
   report.holds_no_camera = calibration && calibration->rig.cameras.empty();
   // What the reader refuses for a fault of the file is said; programs would stumble over the same place.

@@ -30,7 +30,7 @@ void check_copied(const Subject& subject, const Number& fx, Findings& findings) 
                subject.document.range(*cx.node));
 }
 
-/// Whole millimetres of a baseline that no focal length has multiplied.
+/// Whole millimetres of a baseline that no focal length has multiplied: as a product they would make one that few rigs have.
 void check_product(const Subject& subject, const Number& fx, Findings& findings) {
   const Number product = number_of(subject, "focal_x_baseline");
   if (product.node == nullptr || product.value != std::floor(product.value)) return;
@@ -39,7 +39,7 @@ void check_product(const Subject& subject, const Number& fx, Findings& findings)
   constexpr double kSame = 0.05;
   const double metres = product.value / 1000.0;
   const double baseline = product.value / fx.value;
-  if (product.value < kShortest || product.value > kLongest || std::abs(baseline / metres - 1.0) < kSame) return;
+  if (product.value < kShortest || product.value > kLongest || 1000.0 * baseline <= kLongest || std::abs(baseline / metres - 1.0) < kSame) return;
   findings.add(Code::kBaselineInProduct, {product.value, baseline, metres * fx.value}, subject.document.range(*product.node));
 }
 

@@ -180,11 +180,11 @@ std::vector<Node> values_of(const Node& structure, std::string_view key) {
   return value->is_sequence() ? value->items : std::vector<Node>{*value};
 }
 
-/// "distortion.inverse_brown_conrady" as "Inverse Brown Conrady".
+/// "distortion.inverse_brown_conrady", or without the prefix, as "Inverse Brown Conrady".
 void name_as_printed(Node& distortion) {
   constexpr std::string_view kPrefix = "distortion.";
-  if (!distortion.value.starts_with(kPrefix)) return;
-  std::string name = distortion.value.substr(kPrefix.size());
+  std::string name = distortion.value;
+  if (name.starts_with(kPrefix)) name.erase(0, kPrefix.size());
   for (std::size_t i = 0; i < name.size(); ++i) {
     if (i == 0 || name[i - 1] == ' ') name[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[i])));
     if (name[i] == '_') name[i] = ' ';

@@ -191,6 +191,7 @@ class CameraTxtReader {
     constexpr double kLargestShare = 10.0;
     if (relative && (numbers[0] > kLargestShare || numbers[1] > kLargestShare)) {
       reader_.say(*first.numbers[2], Code::kCameraTxtSharesByCentre);
+      return false;
     }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const double value = relative ? to_pixels(numbers[i], i, size) : numbers[i];

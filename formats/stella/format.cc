@@ -19,6 +19,7 @@ constexpr std::array kModels = {
 constexpr std::array kOwnFacts = {OwnFact{"name, colour order, tuning (Feature, Mapping, ...)"}};
 constexpr std::array kDemands = {Demand{"frame rate", "Camera.fps", nullptr, &Format::frame_rate},
                                  Demand{"colour order", kColourOrder}};
+constexpr std::array<std::string_view, 2> kLayouts = {kStellaVslam, kOpenVslam};
 constexpr std::array<std::string_view, 2> kOfTheImages = {"stella.Preprocessing", "projection_matrix"};
 constexpr std::array<std::string_view, 1> kOfTheLenses = {"projection_matrix"};
 
@@ -68,6 +69,8 @@ const Format kFormat = {
     .baseline = true,
     .frame = "rectified",
     .own_facts = kOwnFacts,
+    .layouts = kLayouts,
+    .about_layouts = Code::kStellaLayouts,
     .demands = kDemands,
     .of_the_images = kOfTheImages,
     .of_the_lenses = kOfTheLenses,

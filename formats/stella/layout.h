@@ -36,6 +36,9 @@ namespace fca::stella {
 inline constexpr text::Dialect kDialect = text::Dialect::kOpenCv;
 
 inline constexpr std::string_view kProgram = "stella_vslam";
+/// Layouts of a fresh file, by the program: nested, dotted.
+inline constexpr std::string_view kStellaVslam = "stella_vslam";
+inline constexpr std::string_view kOpenVslam = "openvslam";
 inline constexpr std::string_view kCamera = "Camera";
 inline constexpr std::string_view kRectifier = "StereoRectifier";
 

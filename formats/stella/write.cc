@@ -108,10 +108,14 @@ std::vector<Field> rectifier_fields(const Rig& rig) {
   return fields;
 }
 
-std::string block_text(std::string_view name, const std::vector<Field>& fields) {
+std::string block_text(std::string_view name, std::vector<Field> fields, Style style) {
+  const bool nested = style == Style::kNested;
   constexpr std::size_t kDeeper = 2;
-  std::string text = std::string(name) + ":\n";
-  for (const Field& field : fields) text += fields::spell(field, kDeeper) + "\n";
+  std::string text = nested ? std::string(name) + ":\n" : "";
+  for (Field& field : fields) {
+    if (!nested) field.key = std::string(name) + "." + field.key;
+    text += fields::spell(field, nested ? kDeeper : 0) + "\n";
+  }
   return text;
 }
 
@@ -239,19 +243,22 @@ void list_restated(const Rig& rig, Written& written) {
   written.losses.push_back(lost(Code::kPoseRecomputed, edge.b, "R_left", {edge.a}));
 }
 
-std::optional<text::Document> composed(const text::Document* base, const Rig& rig, const Target& target, bool rate_known,
-                                       Written& written, Diagnostics& diagnostics) {
+std::optional<text::Document> composed(const text::Document* base, const Rig& rig, const Target& target, Style style,
+                                       bool rate_known, Written& written, Diagnostics& diagnostics) {
   if (!rate_known)
     written.defaults.push_back({"Camera.fps", Message{Code::kTableInitialValue, {kStockRate, kProgram}}, true, false});
   if (colour_order_of(rig).empty()) {
     written.defaults.push_back(
         {std::string(kColourOrder), Message{Code::kTableInitialValue, {kStockColourOrder, kProgram}}, true, false});
   }
-  std::string text = block_text(kCamera, camera_fields(rig, target));
-  if (target.pair) text += "\n" + block_text(kRectifier, rectifier_fields(rig));
-  if (base != nullptr) text += tuning_text(*base);
+  std::string text = block_text(kCamera, camera_fields(rig, target), style);
+  if (target.pair) text += "\n" + block_text(kRectifier, rectifier_fields(rig), style);
+  if (base != nullptr && style == Style::kNested) text += tuning_text(*base);
   return text::parse_document({"stella_vslam.yaml", std::move(text)}, diagnostics);
 }
+
+/// Of a fresh file.
+Style style_in(std::string_view layout) { return layout == kOpenVslam ? Style::kDotted : Style::kNested; }
 
 }  // namespace
 
@@ -274,19 +281,22 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   target.pair = is_pair(rig, why_not);
   const std::optional<double> rate = options.frame_rate_hz ? options.frame_rate_hz : rig.cameras.front().frame_rate_hz;
   target.frame_rate_hz = rate.value_or(kStockRate);
-  const bool keeps_text = there && !options.anew && (there->cameras.size() > 1) == target.pair && keeps_panorama(*there, rig);
+  const bool is_of_layout = options.layout.empty() || (there && style_of(*base) == style_in(options.layout));
+  const bool keeps_text =
+      there && !options.anew && is_of_layout && (there->cameras.size() > 1) == target.pair && keeps_panorama(*there, rig);
   const text::Document* const edits = keeps_text ? base : nullptr;
   if (!are_storable(rig, target, edits != nullptr ? &*there : nullptr, diagnostics)) return std::nullopt;
 
   Written written;
+  const Style style = edits != nullptr ? style_of(*edits) : style_in(options.layout);
   Target before = target;
   if (edits != nullptr) before.frame_rate_hz = there->cameras.front().frame_rate_hz.value_or(kStockRate);
   std::optional<text::Document> document =
       edits != nullptr ? std::optional(edited(*edits, *there, with_words_of(*there, rig), before, target))
-                       : composed(base, rig, target, rate.has_value(), written, diagnostics);
+                       : composed(base, rig, target, style, rate.has_value(), written, diagnostics);
   if (!document) return std::nullopt;
   if (base != nullptr && edits == nullptr) add_composed_anew(*base, *document, Message{}, written.losses);
-  const bool dotted = edits != nullptr && style_of(*edits) == Style::kDotted;
+  const bool dotted = style == Style::kDotted;
   written.files.push_back({*std::move(document), {}, {dotted ? "openvslam" : "stella"}});
   for (const Camera& camera : std::span(rig.cameras).first(target.pair ? 2 : 1))
     written.files.front().cameras.push_back(camera.name);
@@ -294,7 +304,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
 
   // A file that is composed in the base's place keeps what tunes the program there.
   std::vector<ExtraField> kept = edits != nullptr ? there->extra_fields : std::vector<ExtraField>();
-  if (there && edits == nullptr && style_of(*base) == Style::kNested) {
+  if (there && edits == nullptr && style == Style::kNested && style_of(*base) == Style::kNested) {
     std::ranges::copy_if(there->extra_fields, std::back_inserter(kept),
                          [](const ExtraField& extra) { return extra.key.starts_with(kTuning); });
   }

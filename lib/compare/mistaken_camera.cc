@@ -55,8 +55,10 @@ void add_mirrored_centre(const Camera& other, Candidates& candidates) {
   const Pixel centre = principal_point(other.model);
   const double right = other.image_size->width - 1.0 - 2.0 * centre[0];
   const double down = other.image_size->height - 1.0 - 2.0 * centre[1];
-  candidates.push_back({Code::kCentreMirrored, with_pixels(other.model, {{1.0, 1.0}, {right, 0.0}}), {"cx"}});
-  candidates.push_back({Code::kCentreMirrored, with_pixels(other.model, {{1.0, 1.0}, {0.0, down}}), {"cy"}});
+  for (const double px : {0.0, 1.0}) {  // whoever takes it from the height is one pixel from the mirror
+    candidates.push_back({Code::kCentreMirrored, with_pixels(other.model, {{1.0, 1.0}, {right + px, 0.0}}), {"cx"}});
+    candidates.push_back({Code::kCentreMirrored, with_pixels(other.model, {{1.0, 1.0}, {0.0, down + px}}), {"cy"}});
+  }
 }
 
 void add_scales(const CameraModel& other, double scale, Candidates& candidates) {

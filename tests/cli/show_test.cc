@@ -96,6 +96,23 @@ TEST(Show, BothReadingsOfAFileThatLeavesTheLensOpen) {
   EXPECT_EQ(run_program({"convert", "-", "--to", "kalibr"}, {.input = file}).code, 2);
 }
 
+// A factory's file that has a lens for each size of images is shown with each, and checked with the widest.
+TEST(Show, EachSizeOfAFileThatHasSeveral) {
+  std::string file = read_file(testdata("formats/zed/good/SN1.conf"));
+  for (const char* camera : {"LEFT", "RIGHT"})
+    file += "\n[" + std::string(camera) +
+            "_CAM_FHD]\nfx=1400.5\nfy=1400.25\ncx=985.5\ncy=556.5\nk1=-0.175\nk2=0.0275\nk3=0\np1=0\np2=0\n";
+  const Told run({"show", "-"}, {.input = file});
+  EXPECT_EQ(run.code(), 0) << run.text();
+  const auto& shown = run.json()["files"][0];
+  ASSERT_EQ(shown["readings"].Size(), 2U);
+  EXPECT_STREQ(shown["readings"][0]["size"].GetString(), "1920x1080");
+  EXPECT_EQ(shown["readings"][1]["cameras"][0]["width_px"].GetInt(), 1280);
+  EXPECT_STREQ(shown["diagnostics"][0]["code"].GetString(), "size-needed");
+  EXPECT_EQ(run_program({"check", "-"}, {.input = file}).code, 0);
+  EXPECT_EQ(run_program({"convert", "-", "--to", "kalibr"}, {.input = file}).code, 2);
+}
+
 // V1.0 gives the second fisheye camera the first one's k1..k4: what that costs is known without asking it.
 TEST(Show, ForAProgramThatMisreadsACamera) {
   const std::string bytes = settings();

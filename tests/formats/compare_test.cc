@@ -330,6 +330,17 @@ const std::vector<Plant>& plants() {
          }
          return any;
        }},
+      // Taken from the height, and not from the last row.
+      {"centre-mirrored", 3,
+       [](Rig& rig) {
+         bool any = false;
+         for (Camera& camera : rig.cameras) {
+           const double down = camera.image_size->height - 2.0 * principal_point(camera.model)[1];
+           camera.model = with_pixels(camera.model, {{1.0, 1.0}, {0.0, down}});
+           any = any || std::abs(down) > 3.0;
+         }
+         return any;
+       }},
       {"centre-swapped", 3,
        [](Rig& rig) {
          bool any = false;

@@ -218,5 +218,24 @@ TEST(Stella, OpenVslamAndStellaEachReadTheirOwnKeys) {
   EXPECT_FALSE(loads("openvslam", good("good/raw-pair.yaml")));
 }
 
+TEST(Stella, OpenVslamsLayoutIsWrittenAfresh) {
+  WriteOptions options;
+  options.layout = "openvslam";
+  for (const char* file : {"good/monocular.yaml", "good/fisheye.yaml", "good/stereo.yaml", "good/raw-pair.yaml"}) {
+    SCOPED_TRACE(file);
+    const text::Document base = document_of(good(file), "stella.yaml");
+    const Rig rig = calibration_of(good(file), "stella.yaml").rig;
+    for (const text::Document* from : {static_cast<const text::Document*>(nullptr), &base}) {
+      const Written written = written_of(from, rig, options);
+      expect_proven(written, rig, "openvslam");
+      EXPECT_EQ(written.files.front().document.bytes().find("\n  "), std::string::npos);  // no level below another
+    }
+  }
+  // It is no layout of files that have it already.
+  const std::string dotted = good("dialect/dotted.yaml");
+  const text::Document base = document_of(dotted, "stella.yaml");
+  EXPECT_EQ(written_of(&base, calibration_of(dotted, "stella.yaml").rig, options).files.front().document.bytes(), dotted);
+}
+
 }  // namespace
 }  // namespace fca::test

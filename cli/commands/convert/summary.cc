@@ -59,7 +59,9 @@ SummaryLine line_of(const ConvertResult& outcome, const ConvertedCamera& camera)
   const std::string_view way = way_in_words(camera);
   std::string text = models_in_words(camera);
   if (way != "fitted" || distance == nullptr) text += ", " + std::string(way);
-  return {name_in_words(camera), text + (distance != nullptr ? "; " + in_both_regions(*distance) : "")};
+  if (distance != nullptr) text += "; " + in_both_regions(*distance);
+  if (distance != nullptr && !camera.source.rays.empty()) text += " at the rays";
+  return {name_in_words(camera), text};
 }
 
 /// Parts of the image beyond the region that decides, of the camera that has most of them.

@@ -123,7 +123,9 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
   if (!shown.readings.empty()) {
     json.array("readings", shown.readings, [&](const ReadingAs& reading) {
       json.object([&] {
-        json.put("opencv_model", name_of(reading.model));
+        if (reading.model) json.put("opencv_model", name_of(*reading.model));
+        if (reading.image_size)
+          json.put("size", std::to_string(reading.image_size->width) + "x" + std::to_string(reading.image_size->height));
         json.array("cameras", reading.calibration.rig.cameras,
                    [&](const Camera& camera) { json.object([&] { put_camera(json, camera, shown.limit_deg); }); });
       });

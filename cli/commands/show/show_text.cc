@@ -185,12 +185,17 @@ std::string verdict_in_words(const ShownFile& shown) {
   return enumerated(words) + ", for " + std::string(shown.asked->program->program) + "; ";
 }
 
-/// A file whose four coefficients may be those of two lenses: its cameras as either.
+/// A file whose four coefficients may be those of two lenses, or that has a lens for each size of images: its cameras as each.
 std::string readings_text(const ShownFile& shown) {
-  std::string text = text::printable(shown.file) + ": " + std::string(shown.readings.front().calibration.format->title) +
-                     "; which lens its four coefficients are, it does not say\n";
+  const bool is_of_sizes = shown.readings.front().image_size.has_value();
+  std::string text =
+      text::printable(shown.file) + ": " + std::string(shown.readings.front().calibration.format->title) + "; " +
+      (is_of_sizes ? "a lens for each size of images\n" : "which lens its four coefficients are, it does not say\n");
   for (const ReadingAs& reading : shown.readings) {
-    text += "\nwith --opencv-model " + std::string(name_of(reading.model)) + "\n";
+    if (reading.model) text += "\nwith --opencv-model " + std::string(name_of(*reading.model)) + "\n";
+    if (reading.image_size)
+      text += "\nwith --size " + std::to_string(reading.image_size->width) + "x" + std::to_string(reading.image_size->height) +
+              "\n";
     for (const Camera& camera : reading.calibration.rig.cameras)
       text += camera_text(camera, reading.calibration.rig.extra_fields, shown.limit_deg);
   }

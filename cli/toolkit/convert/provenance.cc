@@ -57,8 +57,9 @@ std::string camera_line(const ConvertedCamera& camera, bool other_images) {
     return text + to + ", " + std::string(kKept) + (other_images ? " for the changed images" : "");
   if (!camera.report) return text + from + std::string(kArrow) + to;
   const Judgement& j = camera.report->judgement;
+  const std::string where = camera.source.rays.empty() ? "" : " at its " + std::to_string(camera.source.rays.size()) + " rays";
   return text + from + std::string(kArrow) + to + (camera.report->exact ? ", exact" : "") + std::string(kRms) +
-         pixels(j.error.rms) + " px, max " + pixels(j.error.max) + " px up to " +
+         pixels(j.error.rms) + " px, max " + pixels(j.error.max) + " px" + where + " up to " +
          text::format_short(camera.report->scored_to_deg, 4) + " deg from the axis";
 }
 

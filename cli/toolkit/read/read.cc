@@ -28,7 +28,7 @@ std::vector<ReadingAs> both_readings(const Inputs& inputs, Diagnostics& diagnost
     Diagnostics found;
     std::optional<Calibration> calibration = read_calibration(as, files, found);
     if (calibration) {
-      readings.push_back({model, *std::move(calibration)});
+      readings.push_back({model, {}, *std::move(calibration)});
     } else {
       other = std::move(found);
     }
@@ -38,10 +38,23 @@ std::vector<ReadingAs> both_readings(const Inputs& inputs, Diagnostics& diagnost
   return readings;
 }
 
+/// A file with a lens for each size of images, as each of them; none of any other.
+std::vector<ReadingAs> readings_of_sizes(const Inputs& inputs, const Diagnostics& diagnostics, Files& files) {
+  std::vector<ReadingAs> readings;
+  for (const ImageSize& size : offered_sizes(diagnostics)) {
+    Inputs as = inputs;
+    as.image_size = size;
+    Diagnostics found;
+    if (std::optional<Calibration> calibration = read_calibration(as, files, found))
+      readings.push_back({{}, size, *std::move(calibration)});
+  }
+  return readings;
+}
+
 Diagnostics as_warnings(const Diagnostics& diagnostics) {
   Diagnostics result;
   for (Diagnostic entry : diagnostics.entries()) {
-    if (asks_for_lens(entry)) entry.severity = Severity::kWarning;
+    if (asks_for_lens(entry) || entry.facts.code == Code::kDeviceSizeNeeded) entry.severity = Severity::kWarning;
     result.add(std::move(entry));
   }
   return result;
@@ -89,7 +102,8 @@ Reading read(const ReadRequest& request, Files& files) {
   reading.calibration = read_calibration(request.inputs, files, reading.diagnostics);
   reading.status = status_of(reading.diagnostics);
   if (!reading.calibration) {
-    reading.readings = both_readings(request.inputs, reading.diagnostics, files);
+    reading.readings = readings_of_sizes(request.inputs, reading.diagnostics, files);
+    if (reading.readings.empty()) reading.readings = both_readings(request.inputs, reading.diagnostics, files);
     if (reading.readings.empty()) return reading;
     reading.diagnostics = as_warnings(reading.diagnostics);
     reading.status = Status::kDone;

@@ -41,10 +41,12 @@ std::span<const CodeInfo> device_codes() {
       warning(Code::kNcoreGlass, "lens-in-doubt",
               "{0} looks through a windshield that bends its rays (external_distortion), and fca-io reads the lens without it",
               "measure the pixels of rays with NCore's own code, windshield included, and read them as a table of rays"),
-      warning(Code::kNcoreInverseFarOff, "stale-inverse",
-              "{0}: {1} is not the inverse of {3}: it is up to {2:.3} px off as far as {4:.3} degrees, where it ends or "
-              "max_angle_rad does. fca-io reads {3}",
-              "ask whoever wrote the file which one is right: a program that uses {1} sees another lens"),
+      with_consequence(
+          warning(Code::kNcoreInverseFarOff, "stale-inverse",
+                  "{0}: {1} is not the inverse of {3}: it is up to {2:.3} px off as far as {4:.3} degrees, where it ends or "
+                  "max_angle_rad does. fca-io reads {3}",
+                  "ask whoever wrote the file which one is right: a program that uses {1} sees another lens"),
+          "Programs that use one polynomial and programs that use the other disagree by that many pixels."),
       note(
           Code::kRealsenseInverseModel, "lens-in-doubt",
           "{0} says {1} with coefficients that are not 0. It is read as Brown Conrady from ray to pixel, as librealsense's ROS "
@@ -59,7 +61,7 @@ std::span<const CodeInfo> device_codes() {
       note(Code::kRealsenseDepthIsInfrared, "program-ignores",
            "{0} is left out: it has the lens and the place of {1}, from whose images it is computed"),
       clause(Code::kNcoreInverse, "within {0:.2} px of the inverse of {1}, proven up to {2:.3} degrees: {3}"),
-      clause(Code::kRealsenseFound, "Intrinsic of a stream, as rs-enumerate-devices -c prints it"),
+      clause(Code::kRealsenseFound, "the intrinsics of a stream, as librealsense names them"),
   };
   return kRows;
 }

@@ -28,8 +28,10 @@ std::span<const CodeInfo> tumvi_codes() {
       error(Code::kCameraTxtNoLens, "unknown-model", "line 1 is no lens of DSO's", kLenses),
       error(Code::kCameraTxtTooFewNumbers, "unknown-model", "line 1 has {0} numbers; {1} has {2}", kLenses),
       error(Code::kCameraTxtSize, "missing-block", "line 2 must be the image's width and height, two whole numbers"),
-      reader_warning(Code::kCameraTxtSharesByCentre, "relative-by-centre",
-                     "cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height"),
+      error(
+          Code::kCameraTxtSharesByCentre, "relative-by-centre",
+          "cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height: no lens is that long",
+          "write all four in pixels, or all four as shares"),
       reader_warning(Code::kCameraTxtFifthNumber, "program-ignores",
                      "the fifth number of Pinhole is read by DSO and used for nothing"),
       reader_warning(

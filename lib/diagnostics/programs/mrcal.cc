@@ -13,7 +13,7 @@ std::span<const CodeInfo> mrcal_program_codes() {
                        "write the numbers of {1} under {0}, too"),
       named_refusal(Code::kMrcalSaysPosesDiffer, "{0} and {1} differ; mrcal since 2.5 stops, and 2.4 reads {0}",
                     "write the same numbers under both"),
-      named_misreading(Code::kMrcalSaysOtherLens, "{0} is {1}: how mrcal computes such a camera is not known here"),
+      named_misreading(Code::kMrcalSaysOtherLens, "{0} is {1}, and its pixels are not compared with mrcal's"),
       named_refusal(Code::kMrcalSaysCoefficientCount, "{0} has {1} numbers; {2} has {3}, and mrcal stops"),
       named_refusal(Code::kMrcalSaysNoBytes, "{0} is no string of bytes (b'..'); mrcal stops"),
       named_refusal(Code::kMrcalSaysNoCameraNumber, "{0} is no whole number from 0 on; mrcal stops"),

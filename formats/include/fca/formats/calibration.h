@@ -61,6 +61,10 @@ struct NamedFile {
                                                           const ReadOptions& options, Diagnostics& diagnostics,
                                                           std::span<const std::optional<DetectedFormat>> detected = {});
 
+/// Of a file with a lens for each size of images, that was not read for want of one (ReadOptions::image_size): those sizes, the
+/// widest first. Nothing of any other file, nor where anything else is wrong.
+[[nodiscard]] std::vector<ImageSize> offered_sizes(const Diagnostics& diagnostics);
+
 /// What `format.write` makes of the rig, and which of its poses that does not say (losses "pose-dropped").
 [[nodiscard]] std::optional<Written> write_calibration(const Format& format, const text::Document* base, const Rig& rig,
                                                        const WriteOptions& options, Diagnostics& diagnostics);

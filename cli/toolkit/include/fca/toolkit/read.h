@@ -21,7 +21,8 @@ struct ReadRequest {
 
 /// What a file means if its four coefficients are those of this lens.
 struct ReadingAs {
-  OpenCvModel model = OpenCvModel::kPinhole;
+  std::optional<OpenCvModel> model;     ///< The lens that was chosen; nothing where that is not open.
+  std::optional<ImageSize> image_size;  ///< The size of images that was chosen; nothing where that is not open.
   Calibration calibration;
 };
 
