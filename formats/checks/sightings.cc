@@ -47,8 +47,8 @@ constexpr std::array kSightings = {
     Sighting{"tangential-too-large", 8, 0},
     Sighting{"undistortion-inexact", 13, 0},
     Sighting{"units-not-stated", 5, 0},
+    Sighting{"unknown-format", 1, 0},
     Sighting{"unknown-model", 2, 0},
-    Sighting{"yaml-key", 1, 0},
 };
 
 }  // namespace

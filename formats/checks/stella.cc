@@ -6,6 +6,8 @@
 #include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fca::checks {
@@ -30,7 +32,11 @@ void check_copied(const Subject& subject, const Number& fx, Findings& findings) 
                subject.document.range(*cx.node));
 }
 
-/// Whole millimetres of a baseline that no focal length has multiplied: as a product they would make one that few rigs have.
+/// Millimetres between the two cameras of devices that are sold (RealSense D435, D415, D455, ZED Mini, OAK-D, ZED and others).
+constexpr std::array kBaselinesSold = {50.0, 55.0, 60.0, 63.0, 75.0, 95.0, 110.0, 120.0};
+
+/// Whole millimetres of a baseline that no focal length has multiplied: a product is rarely a whole number, and more rarely
+/// that of a device, or of a baseline that few rigs have.
 void check_product(const Subject& subject, const Number& fx, Findings& findings) {
   const Number product = number_of(subject, "focal_x_baseline");
   if (product.node == nullptr || product.value != std::floor(product.value)) return;
@@ -39,7 +45,9 @@ void check_product(const Subject& subject, const Number& fx, Findings& findings)
   constexpr double kSame = 0.05;
   const double metres = product.value / 1000.0;
   const double baseline = product.value / fx.value;
-  if (product.value < kShortest || product.value > kLongest || 1000.0 * baseline <= kLongest || std::abs(baseline / metres - 1.0) < kSame) return;
+  if (product.value < kShortest || product.value > kLongest || std::abs(baseline / metres - 1.0) < kSame) return;
+  const bool is_sold = std::ranges::find(kBaselinesSold, product.value) != kBaselinesSold.end();
+  if (!is_sold && 1000.0 * baseline <= kLongest) return;
   findings.add(Code::kBaselineInProduct, {product.value, baseline, metres * fx.value}, subject.document.range(*product.node));
 }
 

@@ -55,7 +55,7 @@ constexpr Judged kJudged[] = {
     {"rovio__cfg__euroc_cam", "program-refuses", "the same"},
     {"MicroEurocDataset__mav0", "opencv-header", "Kimera's copies of EuRoC's files, for OpenCV: PyYAML refuses the first line"},
     {"D455__ImuParams.yaml", "program-refuses", "no imu_bias_init_sigma"},
-    {"kalibr__templates__camera.yaml", "yaml-key", "a template with {{ }}"},
+    {"kalibr__templates__camera.yaml", "unknown-format", "a template with {{ }}"},
     {"hl-qiu__processData", "focal-length-not-in-pixels", "fl_x of 166504 px for 1024 columns"},
     {"example__gopro__gopro__", "program-refuses", "OpenVSLAM's keys with points, which stella_vslam has no more"},
     {"test__data__calib_cam.yaml", "program-refuses", "vikit's: one camera without SVO's list"},

@@ -64,7 +64,7 @@ TEST(ReadOnly, EachIsShownCheckedAndCompared) {
 
 // One size is told, and those that have several lenses take it.
 TEST(ReadOnly, TheSizeIsAskedForWhereALensIsToBeChosen) {
-  const RunResult asked = run_program({"show", kZed});
+  const RunResult asked = run_program({"convert", kZed, "--to", "kalibr"});
   EXPECT_EQ(asked.code, 2);
   EXPECT_TRUE(says(asked.err, "size-needed", "--size") && contains(asked.err, "1280x720")) << asked.err;
   EXPECT_EQ(run_program({"show", kZed, "--size", "1280x720"}).code, 0);
