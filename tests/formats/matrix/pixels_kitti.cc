@@ -28,6 +28,13 @@ std::map<std::string, std::vector<double>> lines_of(const std::string& bytes) {
 std::optional<PixelFormula> camera(const std::string& bytes, std::size_t index) {
   std::map<std::string, std::vector<double>> lines = lines_of(bytes);
   const std::string number = "0" + std::to_string(index);
+  if (const std::string P = "P_rect_" + number; !lines.contains("K_" + number) && lines.contains(P)) {
+    const std::vector<double>& size = lines["S_rect_" + number];
+    PixelFormula rectified;
+    rectified.pixel = in_image(pinhole({}), lines[P][0], lines[P][5], lines[P][2], lines[P][6]);
+    rectified.size = Size{static_cast<int>(size[0]), static_cast<int>(size[1])};
+    return rectified;
+  }
   if (!lines.contains("K_" + number)) return std::nullopt;
   const std::vector<double>& K = lines["K_" + number];
   const std::vector<double>& size = lines["S_" + number];

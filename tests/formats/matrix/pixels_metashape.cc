@@ -22,8 +22,14 @@ std::optional<PixelFormula> camera(const std::string& bytes, std::size_t index) 
                                           : fisheye({number("k1"), number("k2"), number("k3"), number("k4")});
   PixelFormula formula;
   formula.size = Size{static_cast<int>(number("width")), static_cast<int>(number("height"))};
-  formula.pixel = in_image(lens, number("f") + number("b1"), number("f"), formula.size->width / 2.0 + number("cx") - 0.5,
-                           formula.size->height / 2.0 + number("cy") - 0.5);
+  const RayToPixel straight =
+      in_image(lens, number("f") + number("b1"), number("f"), formula.size->width / 2.0 + number("cx") - 0.5,
+               formula.size->height / 2.0 + number("cy") - 0.5);
+  formula.pixel = [lens, straight, b2 = number("b2")](const Ray& ray) -> std::optional<Pixel> {
+    const std::optional<Pixel> bent = lens(ray);
+    const std::optional<Pixel> pixel = straight(ray);
+    return bent && pixel ? std::optional(Pixel{(*pixel)[0] + b2 * (*bent)[1], (*pixel)[1]}) : std::nullopt;
+  };
   return formula;
 }
 
