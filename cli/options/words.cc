@@ -106,9 +106,10 @@ std::vector<std::string> split(std::string_view list) {
 
 std::string unknown_target(const std::string& option, const std::string& word) {
   const ProgramName* program = find_program_name(word);
-  if (const ModelInfo* model = find_model(word); program == nullptr && model != nullptr)
-    return "'" + word + "' is a camera model; " + option + " takes a format" +
-           (option == "--to" ? " (and --model " + word + ")" : "");
+  if (program == nullptr && find_model(word) != nullptr) {
+    const std::string instead = option == "--to" ? " (and --model " + word + ")" : "";
+    return "'" + word + "' is a camera model; " + option + " takes a format" + instead;
+  }
   return program != nullptr ? not_served(*program, option) : unknown_format(word);
 }
 

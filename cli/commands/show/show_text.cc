@@ -193,9 +193,8 @@ std::string readings_text(const ShownFile& shown) {
       (is_of_sizes ? "a lens for each size of images\n" : "which lens its four coefficients are, it does not say\n");
   for (const ReadingAs& reading : shown.readings) {
     if (reading.model) text += "\nwith --opencv-model " + std::string(name_of(*reading.model)) + "\n";
-    if (reading.image_size)
-      text += "\nwith --size " + std::to_string(reading.image_size->width) + "x" + std::to_string(reading.image_size->height) +
-              "\n";
+    if (const auto& size = reading.image_size)
+      text += "\nwith --size " + std::to_string(size->width) + "x" + std::to_string(size->height) + "\n";
     for (const Camera& camera : reading.calibration.rig.cameras)
       text += camera_text(camera, reading.calibration.rig.extra_fields, shown.limit_deg);
   }
