@@ -50,11 +50,6 @@ constexpr std::array kTwice = {
     Twice{Code::kCameraTxtSizesDiffer, Code::kDsoSizesDiffer},
     Twice{Code::kDsoNotRectified, Code::kCameraTxtNotRectified},
     Twice{Code::kCameraTxtFifthNumber, Code::kDsoFifthNumberIgnored},
-    Twice{Code::kCameraTxtSharesByCentre, Code::kDsoSharesByCentre},
-    // One follows from the other.
-    Twice{Code::kCameraTxtSharesByCentre, Code::kFocalLengthTooShort},
-    Twice{Code::kCameraTxtSharesByCentre, Code::kFocalLengthTooLong},
-    Twice{Code::kCameraTxtSharesByCentre, Code::kParameterNotFinite},
 };
 
 /// What says it: the finding, a clause in it, or the mend after which it is named.
