@@ -33,11 +33,16 @@ void add_pixels(const Scorer& scorer, Summary& summary) {
   }
 }
 
-/// Is the error next to nothing but for a few places, of which a lattice has too few points to sum over it?
-bool is_steep(const ErrorSummary& error) {
-  constexpr double kSteep = 150.0;      // corners of wide lenses: up to 60
+/// Is the error next to nothing but for a few places, of which a lattice has too few points to sum over it? Of large images,
+/// whose pixels take their time, only where it has far too few.
+bool is_steep(const ErrorSummary& error, const ImageSize& size) {
+  constexpr long long kSmall = 500'000;
+  constexpr long long kLarge = 2'000'000;
+  constexpr double kSteep = 15.0;
+  constexpr double kVerySteep = 100.0;
   constexpr double kNobodySees = 1e-6;  // px
-  return error.max > kNobodySees && error.max > kSteep * error.rms;
+  const long long pixels = 1LL * size.width * size.height;
+  return pixels <= kLarge && error.max > kNobodySees && error.max > (pixels <= kSmall ? kSteep : kVerySteep) * error.rms;
 }
 
 /// Errors summed over all pixels in place of the lattice's; what part of the image they are of stays as it is.
@@ -86,13 +91,10 @@ Score score_every_pixel(const Scorer& scorer) {
 }
 
 Judgement judge_all(const Scorer& scorer, Score lattice, const JudgeOptions& options) {
-  constexpr long long kMostPixels = 2'000'000;
   Score score = options.every_pixel ? score_every_pixel(scorer) : std::move(lattice);
   Judgement& judgement = score.judgement;
   find_maximum(scorer, score.worst, options.bound, judgement);
-  const ImageSize& size = scorer.domain().size;
-  if (!options.every_pixel && is_steep(judgement.error) && 1LL * size.width * size.height <= kMostPixels)
-    sum_over_pixels(scorer, judgement);
+  if (!options.every_pixel && is_steep(judgement.error, scorer.domain().size)) sum_over_pixels(scorer, judgement);
   return std::move(score.judgement);
 }
 

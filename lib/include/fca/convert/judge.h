@@ -37,10 +37,10 @@ struct JudgeOptions {
 
 /// Compares `target` with `source` over the domain, on a lattice of at least 4,000 points (mostly under 6,000) that includes
 /// the image's border and has nothing to do with the points of a fit: spokes from the principal point, cut at the borders of
-/// the angle bands and at the edges of the lens and of the target's reach. Points are weighted by area, so that rms, bands and
-/// shares are the image's;
-/// small images are judged pixel by pixel, and so are those whose largest error is more than 150 times the rms (up to two
-/// megapixels): what is lost in so few places no lattice tells. The maximum is polished between lattice points and along the
+/// the angle bands and at the edges of the lens and of the target's reach. Rms, bands and shares are those of all pixels, each
+/// counted once: points are weighted by the pixels they stand for, and the rms is within 0.3 % of that of every pixel;
+/// small images are judged pixel by pixel, and so are those of up to half a megapixel whose largest error is more than 15 times
+/// the rms, of up to two megapixels more than 100 times: what is lost in so few places no lattice tells. The maximum is polished between lattice points and along the
 /// edge of the lens to 1e-3 px in position. Its bound is proven by branch and bound on enclosures of both models, for all rays
 /// of the domain (lib/convert/bound.h says how): typically 1 % above the maximum.
 [[nodiscard]] Judgement judge(const Lens& source, const Projection& target, const Domain& domain,
