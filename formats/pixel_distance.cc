@@ -3,6 +3,8 @@
 
 #include "reader_pixels.h"
 
+#include <fca/rig/rotation.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -106,8 +108,9 @@ class Region {
 class Comparison {
  public:
   Comparison(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader,
-             const AngleLimits& limits, const Lattice& lattice)
-      : lattice_(lattice),
+             const AngleLimits& limits, const Lattice& lattice, const std::optional<Transform>& T_written_camera)
+      : T_written_camera_(T_written_camera),
+        lattice_(lattice),
         camera_(camera),
         written_(written),
         reader_(reader),
@@ -178,8 +181,9 @@ class Comparison {
   }
 
   /// The program's, in the file's pixels; nothing where the model of the file or the program has no right one.
-  [[nodiscard]] std::optional<Pixel> pixel_at(const Pixel& pixel, const Ray& ray) const {
-    if (ray[2] < last_fitted_cosine_ || (!is_kept_ && !project(written_, ray))) return std::nullopt;
+  [[nodiscard]] std::optional<Pixel> pixel_at(const Pixel& pixel, const Ray& of_camera) const {
+    const Ray ray = T_written_camera_ ? rotated(*T_written_camera_, of_camera) : of_camera;
+    if (of_camera[2] < last_fitted_cosine_ || (!is_kept_ && !project(written_, ray))) return std::nullopt;
     const std::optional<Pixel> theirs = reader_.project(ray);
     if (!theirs) return std::nullopt;
     const Pixel seen = in_file_pixels(*theirs, reader_);
@@ -191,6 +195,7 @@ class Comparison {
     return meant && fca::distance(seen, *meant) <= kWrongPx ? std::optional(seen) : std::nullopt;
   }
 
+  const std::optional<Transform>& T_written_camera_;
   Lattice lattice_;
   const Camera& camera_;
   const CameraModel& written_;
@@ -207,12 +212,12 @@ class Comparison {
 }  // namespace
 
 CameraDistance distance_of(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader,
-                           const AngleLimits& limits, bool has_gaps) {
+                           const AngleLimits& limits, bool has_gaps, const std::optional<Transform>& T_written_camera) {
   if (!has_gaps) {
-    CameraDistance coarse = Comparison(camera, written, reader, limits, kCoarse).run();
+    CameraDistance coarse = Comparison(camera, written, reader, limits, kCoarse, T_written_camera).run();
     if (coarse.in_image.no_rays == 0.0) return coarse;
   }
-  return Comparison(camera, written, reader, limits, kFine).run();
+  return Comparison(camera, written, reader, limits, kFine, T_written_camera).run();
 }
 
 std::optional<double> degrees_in_circle(const Camera& camera) {

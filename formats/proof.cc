@@ -304,7 +304,8 @@ ProofResult proof_of(const consumers::Consumer& consumer, const consumers::Consu
     const AngleLimits limits = {max_angle_rad, was_fitted ? before->fitted_to_rad : std::numbers::pi};
     const bool has_gaps =
         comparisons[i].compared < comparisons[i].asked || comparisons[i].wrong_rays > 0.0 || limits.fitted < std::numbers::pi;
-    distances[i] = distance_of(was_fitted ? before->camera : camera, camera.model, view.cameras[i], limits, has_gaps);
+    distances[i] = distance_of(was_fitted ? before->camera : camera, camera.model, view.cameras[i], limits, has_gaps,
+                               was_fitted ? before->T_written_camera : std::nullopt);
   });
   Comparison comparison;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {

@@ -112,7 +112,7 @@ Chart error_chart(const DrawnCamera& camera) {
   Chart chart;
   chart.title = camera.distance + " over angle";
   chart.what = camera.distance + " in pixels over the angle from the axis, for " + camera.source.name;
-  const Profile profile = profile_of(camera, nullptr);
+  const Profile profile = profile_of(camera, camera.turn);
   chart.curves = {curve_of_bands(judgement, camera.scored_to_deg),
                   {"max", "worst direction", profile.worst},
                   {"rms", "rms around the axis", profile.rms}};
@@ -134,8 +134,10 @@ Chart error_chart(const DrawnCamera& camera) {
 
 std::optional<MapFigure> error_map(const DrawnCamera& camera) {
   const double reach = camera.scored_to_deg / kDegreesPerRadian;
-  std::optional<ImageField> field = error_field(camera.source, *camera.target, camera.limit_rad, reach, kPictureCells);
-  std::optional<ImageField> coarse = error_field(camera.source, *camera.target, camera.limit_rad, reach, kContourCells);
+  std::optional<ImageField> field =
+      error_field(camera.source, *camera.target, camera.limit_rad, reach, kPictureCells, camera.turn);
+  std::optional<ImageField> coarse =
+      error_field(camera.source, *camera.target, camera.limit_rad, reach, kContourCells, camera.turn);
   if (!field || !coarse) return std::nullopt;
   const ErrorSummary& error = camera.judgement->error;
   MapFigure figure;

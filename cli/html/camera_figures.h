@@ -22,6 +22,7 @@ struct DrawnCamera {
   const Judgement* judgement = nullptr;  ///< Of the two; null where there is none.
   double scored_to_deg = 0.0;            ///< Nothing further from the axis was scored.
   std::string distance = "Error";        ///< What the judgement is about: "Error", "Difference".
+  const Transform* turn = nullptr;       ///< Takes the source's rays to the target's; null: they have the same frame.
 
   /// The rotation that brings the two nearest to each other (takes the source's rays to the target's); null: none is drawn.
   const Transform* rotation = nullptr;

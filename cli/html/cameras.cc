@@ -104,6 +104,7 @@ void put_camera(Html& html, const ShownCamera& camera, std::optional<double> lim
   if (const ConversionReport* report = camera.report()) {
     drawn.judgement = &report->judgement;
     drawn.scored_to_deg = report->scored_to_deg;
+    if (report->turn) drawn.turn = &report->turn->T_target_source;
   }
   if (!camera.kept()) {
     drawn.target = &camera.outcome->target.model;

@@ -13,6 +13,7 @@
 #include <fca/toolkit/acceptance.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace fca::cli {
@@ -88,6 +89,31 @@ std::optional<std::string> take_degree(const std::string& word, std::optional<in
   return std::nullopt;
 }
 
+/// "fx=fy", "k3=0" or "cx".
+std::optional<std::string> take_fixed(const std::string& word, FixedParameters& target) {
+  constexpr std::string_view kWants = "--fix wants parameters such as k3=0, cx (as in the input) or fx=fy, not '";
+  const std::size_t equals = word.find('=');
+  const std::string name = word.substr(0, equals);
+  const std::optional<ParameterId> parameter = ParameterId::find(name);
+  if (!parameter) return std::string(kWants) + word + "': no model has a parameter '" + name + "'";
+  const auto has_name = [&name](const auto& other) { return other.name() == name; };
+  if (std::ranges::any_of(target.kept, has_name) || std::ranges::any_of(target.at, has_name, &ParameterRange::parameter))
+    return "--fix " + name + " comes twice";
+  if (equals == std::string::npos) {
+    target.kept.push_back(*parameter);
+    return std::nullopt;
+  }
+  const std::string value = word.substr(equals + 1);
+  if ((name == "fx" && value == "fy") || (name == "fy" && value == "fx")) {
+    target.one_focal_length = true;
+    return std::nullopt;
+  }
+  const std::optional<double> number = text::parse_real(value);
+  if (!number || !std::isfinite(*number)) return std::string(kWants) + word + "'";
+  target.at.push_back({*parameter, *number, *number});
+  return std::nullopt;
+}
+
 std::optional<std::string> take_objective(const std::string& word, Objective& target) {
   if (word != "rms" && word != "max") return "unknown objective '" + word + "'; there are rms and max";
   target = word == "max" ? Objective::kMax : Objective::kRms;
@@ -123,6 +149,19 @@ void add_target_options(Options& options, ConvertRequest& request) {
   options.value("--degree", "N|auto",
                 "Of " + degrees_in_words("'s polynomial, ") + " (default: auto, the lowest that is nearly as good as any)",
                 [&request](const std::string& word) { return take_degree(word, request.degree); });
+  options.each("--fix", "NAME[=VALUE],...",
+               "Parameters of the written model that a fit leaves alone: at a number (k3=0), as the input has them (cx,cy), or "
+               "fx=fy; repeatable",
+               [&request](const std::string& words) -> std::optional<std::string> {
+                 for (const std::string& word : split(words)) {
+                   if (const std::optional<std::string> error = take_fixed(word, request.fixed)) return error;
+                 }
+                 return std::nullopt;
+               });
+  options.flag("--absorb-rotation",
+               "Fit a turn of each camera with its model and write it into its poses: what a model without tangential terms "
+               "cannot hold is mostly a tilt",
+               request.absorb_turn);
   add_every_pixel_option(options, request.every_pixel);
   options.group(OptionGroup::kTarget);
   options.flag("--anew", "Write a fresh file even where the input's own text could be edited; comments go", request.rewrite);
@@ -149,6 +188,12 @@ void add_accept_option(Options& options, std::vector<Acceptance>& accepted) {
 }
 
 std::optional<std::string> problem_with(const ConvertRequest& request) {
+  if (request.absorb_turn && !request.into.empty())
+    return "--absorb-rotation changes the camera's frame, and the poses of BASE would be those of the old one: leave out one "
+           "of "
+           "both";
+  if (request.absorb_turn && request.objective != Objective::kRms)
+    return "--absorb-rotation is fitted for the rms only; leave out --objective max";
   const Message problem = request.to != nullptr ? without_use(request, *request.to) : Message{};
   return problem.is_said() ? std::optional(text::text_of(problem, with_options)) : std::nullopt;
 }

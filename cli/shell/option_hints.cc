@@ -40,6 +40,9 @@ constexpr std::array kHints = {
     OptionHint{Code::kNoPixelInTheLens, text::Part::kFix, "a larger --max-angle"},
     OptionHint{Code::kTargetCannotReach, text::Part::kFix,
                "another model may reach further: fca-io models FILE compares all models"},
+    OptionHint{Code::kTurnWouldHelp, text::Part::kFix, "--absorb-rotation does so"},
+    OptionHint{Code::kParameterUnusual, text::Part::kFix,
+               "--fix {2}={5:.3} keeps it inside, another --model may need no such number: programs that search from it may fail"},
     OptionHint{Code::kDomainGiven, text::Part::kText, "given (--max-angle)"},
     OptionHint{Code::kDomainInsideGiven, text::Part::kText, "the whole image (it ends inside --max-angle)"},
     // Comparison.

@@ -14,14 +14,6 @@ namespace {
 
 Eigen::Vector3d vector_of(const Ray& ray) { return {ray[0], ray[1], ray[2]}; }
 
-Eigen::Matrix3d matrix_of(const Transform& T) {
-  Eigen::Matrix3d R;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) R(row, column) = T(row, column);
-  }
-  return R;
-}
-
 /// A pixel that both see.
 struct Pair {
   Eigen::Vector3d reference;
@@ -125,12 +117,6 @@ std::optional<Transform> best_rotation(const Lens& reference, const CameraModel&
     for (int column = 0; column < 3; ++column) T(row, column) = R(row, column);
   }
   return T;
-}
-
-std::array<double, 3> rotation_vector(const Transform& T) {
-  const Eigen::AngleAxisd rotation{Eigen::Quaterniond(matrix_of(T))};
-  const Eigen::Vector3d vector = rotation.angle() * rotation.axis();
-  return {vector[0], vector[1], vector[2]};
 }
 
 }  // namespace fca::internal

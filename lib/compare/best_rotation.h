@@ -3,7 +3,6 @@
 #pragma once
 
 #include <fca/convert/domain.h>
-#include <fca/models/camera_model.h>
 #include <fca/rig/transform.h>
 
 #include <optional>
@@ -14,8 +13,5 @@ namespace fca::internal {
 /// decomposition), which makes angles small, and ends, by Gauss-Newton steps, where the root mean square of the judge's errors
 /// is smallest: in pixels of `other`. Nothing where too few pixels have a ray in both.
 [[nodiscard]] std::optional<Transform> best_rotation(const Lens& reference, const CameraModel& other, const Domain& domain);
-
-/// Along the axis of a rotation, as long as its angle [rad].
-[[nodiscard]] std::array<double, 3> rotation_vector(const Transform& T);
 
 }  // namespace fca::internal

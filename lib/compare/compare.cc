@@ -10,6 +10,7 @@
 
 #include <fca/code.h>
 #include <fca/rig/image_change.h>
+#include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -135,7 +136,7 @@ CameraComparison comparison_of(const PreparedPair& pair, const CompareOptions& o
   if (!rotation) return result;
   BestRotation best;
   best.T_other_reference = *rotation;
-  best.vector_rad = internal::rotation_vector(*rotation);
+  best.vector_rad = rotation_vector(*rotation);
   best.angle_rad = std::hypot(best.vector_rad[0], best.vector_rad[1], best.vector_rad[2]);
   JudgeOptions unproven = judged;
   unproven.bound = false;

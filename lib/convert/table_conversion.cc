@@ -4,9 +4,11 @@
 #include "fitting/degree.h"
 #include "fitting/fit_domain.h"
 #include "fitting/fit_model.h"
+#include "fitting/turn.h"
 
 #include <fca/code.h>
 #include <fca/convert/ray_table.h>
+#include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <chrono>
@@ -158,11 +160,24 @@ std::optional<Conversion> convert_table(const Camera& camera, const ModelInfo& t
   report.degree = fit.degree;
   report.at_bound = fit.model->at_bound;
 
+  Transform T_target_source;
+  if (options.absorb_turn) {
+    const Table counted = inside(table, fit.reach_rad);
+    if (std::optional<TurnedFit> turned = fit_with_turn(*fit.model, counted, options.ranges)) {
+      T_target_source = turned->T_target_source;
+      report.turn = AbsorbedTurn{T_target_source, fit.model->rms_px, 0.0};
+      conversion.camera.model = turned->fitted.model;
+      report.at_bound = turned->fitted.at_bound;
+    } else {
+      diagnostics.add(Code::kTurnDoesNotHelp, {camera.name});
+    }
+  }
   Domain domain;
   domain.max_angle_rad = furthest;
   domain.why = {Code::kRaysEndThere};
-  report.judgement = judge_table(table, domain, [&conversion, &fit](const Ray& ray) {
-    return angle_from_axis(ray) <= fit.reach_rad ? project(conversion.camera.model, ray) : std::nullopt;
+  report.judgement = judge_table(table, domain, [&](const Ray& ray) {
+    return angle_from_axis(ray) <= fit.reach_rad ? project(conversion.camera.model, rotated(T_target_source, ray))
+                                                 : std::nullopt;
   });
   diagnostics.add(Code::kOnlyRaysCompared, {camera.name, table.size()});
   if (!(report.judgement.coverage.scored > 0.0)) {

@@ -118,4 +118,11 @@ double distance_between(const Transform& a, const Transform& b) {
   return std::hypot(a(0, 3) - b(0, 3), a(1, 3) - b(1, 3), a(2, 3) - b(2, 3));
 }
 
+std::array<double, 3> rotation_vector(const Transform& T_a_b) {
+  const auto [x, y, z, w] = quaternion_of(T_a_b);
+  const double sine = std::hypot(x, y, z);  // of half the angle
+  const double scale = sine > 0.0 ? 2.0 * std::atan2(sine, w) / sine : 2.0;
+  return {scale * x, scale * y, scale * z};
+}
+
 }  // namespace fca

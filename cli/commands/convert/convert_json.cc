@@ -11,6 +11,7 @@
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
+#include <fca/rig/rotation.h>
 #include <fca/toolkit/format_name.h>
 
 #include <algorithm>
@@ -43,6 +44,13 @@ void put_report(Json& json, const ConversionReport& report) {
     });
   } else {
     json.null("rms_fit");
+  }
+  if (report.turn) {
+    json.object("turn", [&] {
+      json.put("vector_rad", rotation_vector(report.turn->T_target_source));
+      json.put("rms_before_px", report.turn->rms_before_px);
+      json.put("max_before_px", report.turn->max_before_px);
+    });
   }
   json.object("fit", [&] {
     json.put("samples", report.fit.samples);

@@ -12,6 +12,7 @@
 #include "settings.h"
 #include "stale_facts.h"
 #include "stereo_order.h"
+#include "turned_poses.h"
 #include "write_rig.h"
 
 #include <fca/code.h>
@@ -33,6 +34,7 @@ Rig converted_rig(const Calibration& calibration, const std::vector<ConvertedCam
     if (request.frame_rate_hz) rig.cameras[i].frame_rate_hz = request.frame_rate_hz;
   }
   if (request.baseline_m) rig.baseline_m = request.baseline_m;
+  turn_poses(cameras, rig.poses);
   return rig;
 }
 
@@ -152,6 +154,7 @@ bool Writing::fit() {
       convert_cameras(input_.rig.cameras, *result_.to, choice_, result_.diagnostics);
   if (!cameras) return false;
   result_.cameras = *std::move(cameras);
+  tell_of_turns(input_.rig, result_.cameras, result_.diagnostics);
   if (request_.in_detail) add_reach(*result_.to, choice_, result_.cameras);
   return put_together();
 }

@@ -3,6 +3,7 @@
 
 #include <fca/convert/angle_limit.h>
 #include <fca/convert/domain.h>
+#include <fca/rig/rotation.h>
 #include <fca/toolkit/image_field.h>
 
 #include <algorithm>
@@ -55,26 +56,17 @@ Ray direction(double angle, double around) {
   return {std::sin(angle) * std::cos(around), std::sin(angle) * std::sin(around), std::cos(angle)};
 }
 
-Ray turned(const Transform& rotation, const Ray& ray) {
-  Ray result{};
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column)
-      result.at(static_cast<std::size_t>(row)) += rotation(row, column) * ray.at(static_cast<std::size_t>(column));
-  }
-  return result;
-}
-
 constexpr int kAround = 90;
 double around(int i) { return 2.0 * std::numbers::pi * i / kAround; }
 
 }  // namespace
 
 std::optional<ImageField> error_field(const Camera& source, const CameraModel& target, std::optional<double> limit_rad,
-                                      double reach_rad, int most_cells) {
+                                      double reach_rad, int most_cells, const Transform* rotation) {
   const AngleLimit reach(reach_rad + kSameAngle);
   return field_of(source, limit_rad, most_cells, [&](const Pixel& pixel, const Ray& ray) -> std::optional<double> {
     if (!reach.admits(ray)) return std::nullopt;
-    const std::optional<Pixel> there = project(target, ray);
+    const std::optional<Pixel> there = project(target, rotation != nullptr ? rotated(*rotation, ray) : ray);
     if (!there) return std::nullopt;
     return std::hypot((*there)[0] - pixel[0], (*there)[1] - pixel[1]);
   });
@@ -101,7 +93,7 @@ std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel&
       const Ray ray = direction(angle, around(j));
       const std::optional<Pixel> here = project(source.model, ray);
       if (!here || (*here)[0] < 0.0 || (*here)[0] > right || (*here)[1] < 0.0 || (*here)[1] > bottom) continue;
-      const std::optional<Pixel> there = project(target, rotation != nullptr ? turned(*rotation, ray) : ray);
+      const std::optional<Pixel> there = project(target, rotation != nullptr ? rotated(*rotation, ray) : ray);
       if (!there) continue;
       const double error = std::hypot((*there)[0] - (*here)[0], (*there)[1] - (*here)[1]);
       squares += error * error;

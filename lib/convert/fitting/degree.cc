@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "degree.h"
 
+#include "usual.h"
+
 #include <fca/models/camera_model.h>
 
 #include <algorithm>
@@ -41,8 +43,8 @@ std::optional<std::size_t> freed_by_ranges(const ConvertOptions& options, const 
 DegreeFit fit_with(const FitTask& task, const DegreeRanges& degree) {
   ConvertOptions options = task.options;
   options.ranges = degree.ranges;
-  DomainFit fit = fit_domain({task.camera, task.target, options, task.domain, task.centre});
-  return {std::move(fit), degree.ranges, degree.degree};
+  UsualFit usual = fit_usual({task.camera, task.target, options, task.domain, task.centre});
+  return {std::move(usual.fit), std::move(usual.ranges), degree.degree, std::move(usual.unusual)};
 }
 
 /// How many points of the image's border have a ray. A polynomial that turns inside the image, behind what it was fitted to,

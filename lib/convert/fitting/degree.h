@@ -26,6 +26,7 @@ struct DegreeFit {
   DomainFit fit;
   std::vector<ParameterRange> ranges;  ///< That it was made with.
   int degree = 0;                      ///< 0: the target has none to choose.
+  std::vector<UnusualParameter> unusual;
 };
 
 /// fit_domain with task.options.degree. Without one: of all degrees the lowest whose rms is within 10 % of the best, or below

@@ -47,10 +47,10 @@ struct AngleLimits {
 
 /// `camera`: as it was calibrated; of a known image size. `written`: the same camera in the model of the file. `reader`: what
 /// the program holds of it. Rays outside the camera's image circle are not asked for. `has_gaps`: it is known that the program
-/// has no right ray for a part of the image.
+/// has no right ray for a part of the image. `T_written_camera`: the rotation of the written camera's frame, if it has another.
 [[nodiscard]] CameraDistance distance_of(const Camera& camera, const CameraModel& written,
                                          const consumers::ConsumerCamera& reader, const AngleLimits& limits,
-                                         bool has_gaps = false);
+                                         bool has_gaps = false, const std::optional<Transform>& T_written_camera = {});
 
 /// How far from the axis, in whole degrees, the camera sees in the largest circle about the middle of its image: the smallest
 /// angle that holds all of it. Nothing where the image size is unknown, or the model ends inside the circle.

@@ -75,6 +75,8 @@ struct CalibratedCamera {
   Camera camera;
   /// How far from the axis the fit is one; beyond, the other model gives wrong pixels or none.
   double fitted_to_rad = std::numbers::pi;
+  /// The rotation of the other model's frame, if it has another.
+  std::optional<Transform> T_written_camera = {};
 };
 
 /// Calls body(0) .. body(count - 1), which have nothing to do with each other.

@@ -20,6 +20,8 @@ struct ConvertOptions {
   std::vector<ParameterRange> ranges;   ///< Of the target's parameters.
   std::optional<int> degree = {};  ///< Of a target that is a polynomial (ModelInfo::least_degree); default: the lowest that is
                                    ///< nearly as good as any.
+  FixedParameters fixed = {};
+  bool absorb_turn = false;  ///< A turn of the camera is fitted, too (ConversionReport::turn); for Objective::kRms.
   Objective objective = Objective::kRms;
   bool cone = true;          ///< What cannot describe the whole domain is fitted to a cone of it; else to nothing: an error.
   bool every_pixel = false;  ///< The report counts each pixel instead of a lattice.

@@ -5,6 +5,7 @@
 #include <fca/message.h>
 #include <fca/models/camera_model.h>
 #include <fca/rig/lens_circle.h>
+#include <fca/rig/transform.h>
 
 #include <array>
 #include <cstdint>
@@ -80,6 +81,27 @@ struct RmsFit {
   bool kept = false;  ///< No camera with a smaller largest error was found beside it.
 };
 
+/// A turn of the camera that was fitted together with its model: the frame of the written camera is another one.
+struct AbsorbedTurn {
+  Transform T_target_source;   ///< A rotation: takes rays in the calibrated camera's frame to the written one's.
+  double rms_before_px = 0.0;  ///< Of the best camera without a turn.
+  double max_before_px = 0.0;
+};
+
+/// What a turn would come to, about.
+struct TurnOffer {
+  double angle_deg = 0.0;
+  double rms_px = 0.0;
+};
+
+/// A parameter of the fit outside the range of published cameras (Parameter::usual).
+struct UnusualParameter {
+  std::string name;
+  double value = 0.0;
+  std::array<double, 2> usual{};
+  double rms_inside_px = 0.0;  ///< Of the best camera with all parameters inside.
+};
+
 /// What a conversion would reach if the lens ended at that angle from the axis.
 struct ReachRow {
   double max_angle_deg = 0.0;
@@ -105,6 +127,9 @@ struct ConversionReport {
   Objective objective = Objective::kRms;
   std::optional<RmsFit> rms_fit;      ///< Of a fit for the largest error.
   std::vector<std::string> at_bound;  ///< Parameters that ended at the edge of their range.
+  std::vector<UnusualParameter> unusual;
+  std::optional<AbsorbedTurn> turn;     ///< Only if asked for, and where it helps.
+  std::optional<TurnOffer> turn_offer;  ///< Where nobody asked, and it would take a fifth off a visible error.
   std::vector<ReachRow> reach;  ///< Only if asked for, and where the lens's angle matters and nothing states it (reach.h).
 };
 

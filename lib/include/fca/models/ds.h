@@ -34,7 +34,8 @@ struct Ds : internal::FocalLengthsFirst, internal::RayMap<Ds> {
       common_parameter::kCx,
       common_parameter::kCy,
       Parameter{"alpha", "", 0.0, 1.0, ParameterGroup::kLens},
-      Parameter{"xi", "", -1.0, common_parameter::kInfinity, ParameterGroup::kLens, true}};
+      Parameter{
+          "xi", "", -1.0, common_parameter::kInfinity, ParameterGroup::kLens, true, common_parameter::kInfinity, {-1.0, 1.0}}};
 
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double alpha = p[4];

@@ -88,7 +88,8 @@ struct Eucm : internal::FocalLengthsFirst, internal::RayMap<Eucm> {
       common_parameter::kCx,
       common_parameter::kCy,
       Parameter{"alpha", "", 0.0, 1.0, ParameterGroup::kLens},
-      Parameter{"beta", "", 0.0, common_parameter::kInfinity, ParameterGroup::kLens, true}};
+      Parameter{
+          "beta", "", 0.0, common_parameter::kInfinity, ParameterGroup::kLens, true, common_parameter::kInfinity, {0.1, 10.0}}};
 
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double alpha = p[4];

@@ -32,7 +32,7 @@ struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
       common_parameter::kFy,
       common_parameter::kCx,
       common_parameter::kCy,
-      Parameter{"xi", "", 0.0, common_parameter::kInfinity, ParameterGroup::kLens, false, kFurthestXi},
+      Parameter{"xi", "", 0.0, common_parameter::kInfinity, ParameterGroup::kLens, false, kFurthestXi, {0.0, 3.0}},
       common_parameter::coefficient("k1"),
       common_parameter::coefficient("k2"),
       common_parameter::coefficient("p1"),

@@ -46,6 +46,8 @@ struct Parameter {
   bool open = false;  ///< Are the bounds themselves excluded?
   /// A fit takes it no further, although what lies beyond is a camera.
   double furthest = std::numeric_limits<double>::infinity();
+  /// Where those of published cameras lie. A fit stays inside if that costs next to nothing.
+  std::array<double, 2> usual = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 };
 
 /// No lens has larger numbers than this, and their powers would overflow a projection.

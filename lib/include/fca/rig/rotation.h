@@ -28,6 +28,9 @@ struct ElementDifference {
 /// Angle between two rotations, in radians, [0, pi].
 [[nodiscard]] double angle_between(const Transform& a, const Transform& b);
 
+/// Along the axis of a rotation, as long as its angle [rad].
+[[nodiscard]] std::array<double, 3> rotation_vector(const Transform& T_a_b);
+
 /// Length of the translation [m].
 [[nodiscard]] double distance_of(const Transform& T_a_b);
 

@@ -2,6 +2,7 @@
 // A calibration converted to another format, and to another camera model if need be: read, fitted, written in memory, proven.
 #pragma once
 
+#include <fca/convert/parameter_range.h>
 #include <fca/convert/report.h>
 #include <fca/formats/check.h>
 #include <fca/formats/format.h>
@@ -84,6 +85,8 @@ struct ConvertRequest {
   std::string extension;  ///< As in the written file's path, with its point. Formats with several syntaxes go by it.
   Objective objective = Objective::kRms;
   std::optional<int> degree;  ///< Of a fitted polynomial (ocamcalib); nothing: the lowest that is nearly as good as any.
+  FixedParameters fixed;      ///< Of the fitted models.
+  bool absorb_turn = false;   ///< A turn of each camera is fitted, too, and written into its poses; for Objective::kRms.
   bool every_pixel = false;   ///< Errors are those of every pixel, not of a lattice of about 5,000 points.
   /// Also what no verdict depends on: errors if the lens ended earlier (ConversionReport::reach), and whether the input's own
   /// program would refuse the input.

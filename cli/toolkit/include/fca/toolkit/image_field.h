@@ -34,9 +34,11 @@ inline constexpr int kPictureCells = 512;
 inline constexpr int kContourCells = 144;
 
 /// Two cameras over the domain that a judgement was about: pixel -> ray by `source` -> pixel by `target`. `limit_rad`: as it
-/// was given (--max-angle); `reach_rad`: nothing further from the axis was scored. Nothing where there is no domain.
+/// was given (--max-angle); `reach_rad`: nothing further from the axis was scored; `rotation`: takes the source's rays to the
+/// target's, null: they have the same. Nothing where there is no domain.
 [[nodiscard]] std::optional<ImageField> error_field(const Camera& source, const CameraModel& target,
-                                                    std::optional<double> limit_rad, double reach_rad, int most_cells);
+                                                    std::optional<double> limit_rad, double reach_rad, int most_cells,
+                                                    const Transform* rotation = nullptr);
 
 /// Degrees from the axis.
 [[nodiscard]] std::optional<ImageField> angle_field(const Camera& camera, std::optional<double> limit_rad, int most_cells);

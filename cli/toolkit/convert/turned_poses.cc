@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "turned_poses.h"
+
+#include <fca/code.h>
+#include <fca/rig/rotation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace fca {
+
+void turn_poses(const std::vector<ConvertedCamera>& cameras, std::vector<PoseEdge>& poses) {
+  for (const ConvertedCamera& camera : cameras) {
+    if (!camera.report || !camera.report->turn) continue;
+    const Transform& T_target_source = camera.report->turn->T_target_source;
+    const Transform T_source_target = inverse(T_target_source).value();
+    for (PoseEdge& edge : poses) {
+      if (edge.a == camera.target.name) edge.T_a_b = T_target_source * edge.T_a_b;
+      if (edge.b == camera.target.name) edge.T_a_b = edge.T_a_b * T_source_target;
+    }
+  }
+}
+
+void tell_of_turns(const Rig& input, const std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics) {
+  for (const ConvertedCamera& camera : cameras) {
+    if (!camera.report) continue;
+    const std::string& name = camera.target.name;
+    const bool has_pose =
+        std::ranges::any_of(input.poses, [&name](const PoseEdge& edge) { return edge.a == name || edge.b == name; });
+    if (const std::optional<AbsorbedTurn>& turn = camera.report->turn) {
+      const auto [x, y, z] = rotation_vector(turn->T_target_source);
+      const double angle_deg = std::hypot(x, y, z) * 180.0 / std::numbers::pi;
+      if (has_pose) {
+        diagnostics.add(Code::kTurnedIntoPose, {name, angle_deg, camera.report->judgement.error.rms, turn->rms_before_px});
+      } else {
+        diagnostics.add(Code::kTurnHasNoPose, {name, angle_deg, x, y, z});
+      }
+    }
+    if (const std::optional<TurnOffer>& offer = camera.report->turn_offer; offer && has_pose)
+      diagnostics.add(Code::kTurnWouldHelp, {name, offer->angle_deg, offer->rms_px, camera.report->judgement.error.rms});
+  }
+}
+
+}  // namespace fca

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Poses of cameras whose frames were turned by their fits (ConversionReport::turn).
+#pragma once
+
+#include <fca/toolkit/convert.h>
+
+#include <vector>
+
+namespace fca {
+
+/// States the poses in the cameras' new frames.
+void turn_poses(const std::vector<ConvertedCamera>& cameras, std::vector<PoseEdge>& poses);
+
+/// Says which cameras were turned, which of those have no pose in the input's rig, and for which a turn would help.
+void tell_of_turns(const Rig& input, const std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics);
+
+}  // namespace fca

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fixed_parameters.h"
+
+#include <fca/code.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fca::internal {
+
+namespace {
+
+constexpr ParameterId kFx = "fx";
+constexpr ParameterId kFy = "fy";
+
+bool has(const ModelInfo& model, ParameterId parameter) {
+  return std::ranges::find(model.parameters, parameter.name(), &Parameter::name) != model.parameters.end();
+}
+
+/// The fit with both focal lengths f.
+DomainFit fit_with(const FitTask& task, double f) {
+  ConvertOptions options = task.options;
+  for (const ParameterId focal : {kFx, kFy}) options.ranges.push_back({focal, f, f});
+  return fit_domain({task.camera, task.target, options, task.domain, task.centre});
+}
+
+/// What the search makes small.
+double cost_of(const DomainFit& fit) {
+  return fit.fitted.model ? fit.score.judgement.error.rms : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+std::optional<ConvertOptions> with_fixed(const Camera& source, const ModelInfo& target, ConvertOptions options,
+                                         Diagnostics& diagnostics) {
+  options.ranges.insert(options.ranges.end(), options.fixed.at.begin(), options.fixed.at.end());
+  for (const ParameterId kept : options.fixed.kept) {
+    const std::optional<double> value = source.rays.empty() ? parameter(source.model, kept) : std::nullopt;
+    if (!value) {
+      diagnostics.add(Code::kNothingToKeep, {source.name, source.lens_id(), kept.name()});
+      return std::nullopt;
+    }
+    options.ranges.push_back({kept, *value, *value});
+  }
+  if (options.fixed.one_focal_length && !(has(target, kFx) && has(target, kFy))) {
+    diagnostics.add(Code::kTiesFocalLengthsOnly, {target.id});
+    return std::nullopt;
+  }
+  if (options.fixed.one_focal_length && !source.rays.empty()) {
+    diagnostics.add(Code::kOneFocalLengthOfRays, {source.name});
+    return std::nullopt;
+  }
+  return options;
+}
+
+bool is_as_fixed(const CameraModel& model, const ConvertOptions& options) {
+  return within(model, options.ranges) && (!options.fixed.one_focal_length || parameter(model, kFx) == parameter(model, kFy));
+}
+
+DomainFit fit_fixed(const FitTask& task) {
+  DomainFit free = fit_domain(task);
+  if (!task.options.fixed.one_focal_length || !free.fitted.model) return free;
+  const double fx = parameter(free.fitted.model->model, kFx).value();
+  const double fy = parameter(free.fitted.model->model, kFy).value();
+  if (fx == fy) return free;
+  // The best lies between the two, or where other parameters follow a little beside.
+  const double beside = std::abs(fx - fy);
+  double low = std::min(fx, fy) - beside;
+  double high = std::max(fx, fy) + beside;
+  constexpr double kGoldenRatio = 0.6180339887498949;
+  constexpr double kCloseEnough = 1e-5;  // of the distance of fx and fy: errors are flat at the bottom
+  const auto inside = [&](double share) { return low + share * (high - low); };
+  double left = inside(1.0 - kGoldenRatio);
+  double right = inside(kGoldenRatio);
+  DomainFit of_left = fit_with(task, left);
+  DomainFit of_right = fit_with(task, right);
+  auto time = free.time + of_left.time + of_right.time;
+  while (high - low > kCloseEnough * beside) {
+    const bool is_left = cost_of(of_left) < cost_of(of_right);
+    if (is_left) {
+      high = std::exchange(right, left);
+      of_right = std::exchange(of_left, fit_with(task, left = inside(1.0 - kGoldenRatio)));
+    } else {
+      low = std::exchange(left, right);
+      of_left = std::exchange(of_right, fit_with(task, right = inside(kGoldenRatio)));
+    }
+    time += (is_left ? of_left : of_right).time;
+  }
+  DomainFit& best = cost_of(of_left) < cost_of(of_right) ? of_left : of_right;
+  best.time = time;
+  return std::move(best);
+}
+
+}  // namespace fca::internal

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "turn.h"
+
+#include "fit_limits.h"
+
+#include <fca/rig/rotation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace fca::internal {
+
+namespace {
+
+using Samples = std::vector<Correspondence>;
+
+Transform transform_of(const Eigen::Matrix3d& R) {
+  Transform T;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) T(row, column) = R(row, column);
+  }
+  return T;
+}
+
+Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector) {
+  const double angle = vector.norm();
+  return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
+}
+
+Samples turned(std::span<const Correspondence> samples, const Eigen::Matrix3d& R) {
+  const Transform T = transform_of(R);
+  Samples result(samples.begin(), samples.end());
+  for (Correspondence& sample : result) sample.ray = rotated(T, sample.ray);
+  return result;
+}
+
+/// The first step of the angles, and the rms that is left after it if errors were linear.
+struct Step {
+  Eigen::Vector3d angles;
+  double rms_px = 0.0;
+};
+
+/// Derivatives of the pixels by the three angles, in rows like those of LinearisedColumns; false where a ray has no pixel.
+bool add_slopes_of_angles(const FitTarget& target, const double* p, const Samples& samples, const std::vector<double>& roots,
+                          Eigen::Ref<Eigen::MatrixXd> columns) {
+  constexpr double kStep = 1e-6;  // rad
+  const auto count = static_cast<Eigen::Index>(samples.size());
+  std::vector<std::array<double, 2>> before(samples.size());
+  std::vector<std::array<double, 2>> after(samples.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d along = kStep * Eigen::Vector3d::Unit(axis);
+    if (!target.pixels(p, turned(samples, rotation_by(-along)), before.data())) return false;
+    if (!target.pixels(p, turned(samples, rotation_by(along)), after.data())) return false;
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      const auto row = static_cast<Eigen::Index>(k);
+      columns(row, axis) = roots[k] * (after[k][0] - before[k][0]) / (2.0 * kStep);
+      columns(row + count, axis) = roots[k] * (after[k][1] - before[k][1]) / (2.0 * kStep);
+    }
+  }
+  return true;
+}
+
+std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples, std::span<const ParameterRange> ranges) {
+  const std::unique_ptr<FitTarget> target = fit_target_of(fitted.model);
+  const FitLimits limits(*target, ranges);
+  const std::span<const double> values = parameter_values(fitted.model);
+  std::vector<double> roots;
+  for (const Correspondence& sample : samples) roots.push_back(std::sqrt(sample.weight));
+  const auto rows = static_cast<Eigen::Index>(2 * samples.size());
+  const auto all = static_cast<Eigen::Index>(values.size());
+  Eigen::MatrixXd numbers(rows, all + 1);
+  if (!target->linearise(values.data(), samples, {roots, numbers.data()})) return std::nullopt;
+
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index i = 0; i < all; ++i) {
+    const std::string_view name = target->parameters()[static_cast<std::size_t>(i)].name;
+    const bool is_at_bound = std::ranges::find(fitted.at_bound, name) != fitted.at_bound.end();
+    if (!limits.fixed(static_cast<std::size_t>(i)) && !is_at_bound) free.push_back(i);
+  }
+  const auto parameters = static_cast<Eigen::Index>(free.size());
+  Eigen::MatrixXd slopes(rows, parameters + 3);
+  for (Eigen::Index i = 0; i < parameters; ++i) slopes.col(i) = numbers.col(free[static_cast<std::size_t>(i)]);
+  if (!add_slopes_of_angles(*target, values.data(), samples, roots, slopes.rightCols(3))) return std::nullopt;
+  // Coefficients of high powers have columns of other lengths than focal lengths.
+  const Eigen::VectorXd lengths = slopes.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
+  slopes = slopes * lengths.cwiseInverse().asDiagonal();
+  const Eigen::VectorXd residuals = numbers.col(all);
+  // The axis hardly tells a turn about itself from nothing, and a shift of a narrow lens from a turn.
+  constexpr double kHardlyApart = 1e-7;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(rows, parameters + 3);
+  solver.setThreshold(kHardlyApart);
+  solver.compute(slopes);
+  const Eigen::VectorXd solution = solver.solve(-residuals);
+  if (!solution.allFinite()) return std::nullopt;
+  const Eigen::Vector3d angles = solution.tail<3>().cwiseQuotient(lengths.tail<3>());
+  return Step{angles, (residuals + slopes * solution).norm()};
+}
+
+Samples of_some_weight(std::span<const Correspondence> samples) {
+  Samples result;
+  std::ranges::copy_if(samples, std::back_inserter(result), [](const Correspondence& sample) { return sample.weight > 0.0; });
+  return result;
+}
+
+}  // namespace
+
+std::optional<TurnedFit> fit_with_turn(const FittedModel& start, std::span<const Correspondence> samples,
+                                       std::span<const ParameterRange> ranges) {
+  constexpr int kMostSteps = 30;
+  constexpr int kMostHalvings = 8;
+  constexpr double kGain = 1e-4;  // of the rms
+  const Samples counted = of_some_weight(samples);
+  // A fit's rms is that of its own samples.
+  std::optional<FittedModel> best = fit_from(start.model, counted, ranges);
+  if (!best) return std::nullopt;
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  bool is_turned = false;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const std::optional<Step> step = step_from(*best, turned(counted, R), ranges);
+    if (!step) break;
+    bool is_better = false;
+    double gain = 0.0;
+    double share = 1.0;
+    for (int halving = 0; halving < kMostHalvings && !is_better; ++halving, share *= 0.5) {
+      const Eigen::Matrix3d next = rotation_by(share * step->angles) * R;
+      std::optional<FittedModel> fitted = fit_from(best->model, turned(counted, next), ranges);
+      is_better = fitted && fitted->reaches_all >= best->reaches_all && fitted->rms_px < best->rms_px;
+      if (!is_better) continue;
+      gain = 1.0 - fitted->rms_px / best->rms_px;
+      fitted->iterations += best->iterations;
+      best = std::move(fitted);
+      R = next;
+    }
+    is_turned = is_turned || is_better;
+    if (!is_better || gain < kGain) break;
+  }
+  if (!is_turned) return std::nullopt;
+  return TurnedFit{*std::move(best), transform_of(R)};
+}
+
+std::optional<TurnEstimate> estimate_turn(const FittedModel& fitted, std::span<const Correspondence> samples,
+                                          std::span<const ParameterRange> ranges) {
+  const std::optional<Step> step = step_from(fitted, of_some_weight(samples), ranges);
+  if (!step) return std::nullopt;
+  return TurnEstimate{step->rms_px, step->angles.norm()};
+}
+
+}  // namespace fca::internal

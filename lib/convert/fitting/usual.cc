@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "usual.h"
+
+#include "fixed_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fca::internal {
+
+namespace {
+
+/// Of the parameters that leave their usual range.
+std::vector<UnusualParameter> unusual_of(const CameraModel& model, std::span<const ParameterRange> ranges) {
+  std::vector<UnusualParameter> found;
+  const std::span<const double> values = parameter_values(model);
+  const std::span<const Parameter> parameters = model_info(model).parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Parameter& row = parameters[i];
+    const bool is_usual = values[i] >= row.usual[0] && values[i] <= row.usual[1];
+    const bool is_asked_for = std::ranges::any_of(ranges, [&row](const ParameterRange& range) {
+      return range.parameter.name() == row.name && range.lower == range.upper;
+    });
+    if (!is_usual && !is_asked_for) found.push_back({std::string(row.name), values[i], row.usual});
+  }
+  return found;
+}
+
+double rms_of(const DomainFit& fit) { return fit.score.judgement.error.rms; }
+
+bool costs_nothing(const DomainFit& inside, const DomainFit& free) {
+  constexpr double kNextToNothing = 1.01;
+  constexpr double kNobodySees = 1e-4;  // px
+  constexpr double kSameShare = 1e-3;
+  return inside.fitted.model && inside.score.judgement.coverage.scored >= free.score.judgement.coverage.scored - kSameShare &&
+         rms_of(inside) <= std::max(kNextToNothing * rms_of(free), rms_of(free) + kNobodySees);
+}
+
+}  // namespace
+
+UsualFit fit_usual(const FitTask& task) {
+  constexpr double kExact = 1e-6;  // px
+  UsualFit result{fit_fixed(task), task.options.ranges, {}};
+  if (!result.fit.fitted.model || rms_of(result.fit) < kExact) return result;
+  result.unusual = unusual_of(result.fit.fitted.model->model, task.options.ranges);
+  if (result.unusual.empty()) return result;
+  ConvertOptions options = task.options;
+  for (const Parameter& row : task.target.parameters) {
+    if (std::isfinite(row.usual[0]) || std::isfinite(row.usual[1]))
+      options.ranges.push_back({ParameterId(row), row.usual[0], row.usual[1]});
+  }
+  DomainFit inside = fit_fixed({task.camera, task.target, options, task.domain, task.centre});
+  inside.time += result.fit.time;
+  if (costs_nothing(inside, result.fit)) return {std::move(inside), std::move(options.ranges), {}};
+  for (UnusualParameter& parameter : result.unusual) parameter.rms_inside_px = inside.fitted.model ? rms_of(inside) : 0.0;
+  return result;
+}
+
+}  // namespace fca::internal
