@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the documents show is what the program prints: every command "$ fca-io ..." is run, that of a recipe
-// (examples/*/README.md) in the recipe's folder, that of another document beside the files of examples/. "$ echo $?" is the
+// (examples/*/README.md) in the recipe's folder, that of another document next to the files of examples/. "$ echo $?" is the
 // exit code of the command before it. A line "..." stands for any number of lines. Numbers may differ in their last digits,
 // from machine to machine.
 #include "cli/run_program.h"
@@ -100,21 +100,27 @@ void expect_shown(const std::vector<Example>& examples, const fs::path& folder) 
 
 /// Each with the number of its examples, at least.
 struct Document {
-  const char* path;
+  std::string path;
   std::size_t examples;
 };
 
+/// Documents with examples but for the recipes: pages of programs (formats/programs) have one or more each.
+std::vector<Document> documents_with_examples() {
+  std::vector<Document> documents = {{"README.md", 5}, {"cli/README.md", 30}, {"lib/convert/paper.md", 1}};
+  const fs::path root = fs::path(FCA_EXAMPLES_DIR).parent_path();
+  for (const fs::directory_entry& entry : fs::directory_iterator(root / "formats/programs"))
+    documents.push_back({fs::relative(entry.path(), root).string(), entry.path().filename() == "README.md" ? 0U : 1U});
+  return documents;
+}
+
 class Documents : public testing::TestWithParam<Document> {};
 
-INSTANTIATE_TEST_SUITE_P(All, Documents,
-                         testing::Values(Document{"README.md", 5}, Document{"cli/README.md", 30},
-                                         Document{"lib/convert/paper.md", 1}),
-                         [](const auto& document) {
-                           std::string name = document.param.path;
-                           std::ranges::replace_if(
-                               name, [](char c) { return c == '/' || c == '.'; }, '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(All, Documents, testing::ValuesIn(documents_with_examples()), [](const auto& document) {
+  std::string name = document.param.path;
+  std::ranges::replace_if(
+      name, [](char c) { return c == '/' || c == '.' || c == '-'; }, '_');
+  return name;
+});
 
 TEST_P(Documents, ShowWhatTheProgramPrints) {
   const fs::path root = fs::path(FCA_EXAMPLES_DIR).parent_path();
