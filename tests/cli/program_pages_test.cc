@@ -3,7 +3,7 @@
 // what they do with a file from which a key is missing, or in which a number has another type. A comment above a table says
 // what it is:
 //   <!-- programs: orbslam3 orbslam2 -->         the readers, by their ids
-//   <!-- models: orbslam3 -->                    of the format
+//   <!-- models: orbslam3 -->                    of the format, or of several
 //   <!-- keys: orbslam3 mono FILE; convert IN... -o ... -->   what the reader, in that mode ("-": it has none), does with FILE
 // FCA_WRITE_GOLDEN=1 writes them.
 #include "cli/run_program.h"
@@ -186,13 +186,22 @@ std::string table_of_programs(const std::vector<std::string>& ids) {
   return table;
 }
 
-std::string table_of_models(const std::vector<std::string>& words) {
-  const Format* format = find_format(words.front());
-  if (format == nullptr) return "no format " + words.front() + "\n";
-  std::string table = "| model | in the file | read by |\n|---|---|---|\n";
-  for (const StoredModel& stored : format->models) {
-    table +=
-        "| " + std::string(stored.model) + " | " + std::string(stored.file_name) + " | " + std::string(stored.read_by) + " |\n";
+/// Of one format a row for each model, of several one for each format.
+std::string table_of_models(const std::vector<std::string>& ids) {
+  const bool one = ids.size() == 1;
+  std::string table =
+      one ? "| model | in the file | read by |\n|---|---|---|\n" : "| format | models (in the file) |\n|---|---|\n";
+  for (const std::string& id : ids) {
+    const Format* format = find_format(id);
+    if (format == nullptr) return "no format " + id + "\n";
+    std::string models;
+    for (const StoredModel& stored : format->models) {
+      const std::string model(stored.model);
+      const std::string name(stored.file_name);
+      if (one) table += "| " + model + " | " + name + " | " + std::string(stored.read_by) + " |\n";
+      models += (models.empty() ? "" : ", ") + model + " (" + name + ")";
+    }
+    if (!one) table += "| `" + id + "` | " + models + " |\n";
   }
   return table;
 }
