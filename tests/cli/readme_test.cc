@@ -163,13 +163,29 @@ TEST_P(Recipes, ShowWhatTheProgramPrints) {
 
 // Inputs that a recipe is not about to find fault with are ready.
 TEST_P(Recipes, HaveInputsThatAreReady) {
-  // A table of rays is not looked for in folders.
+  // A table of rays is not looked for in folders; programs are no calibrations.
   if (GetParam() == "check-a-file" || GetParam() == "cpp" || GetParam() == "measured-rays") return;
   const fs::path folder = fs::path(FCA_EXAMPLES_DIR) / GetParam();
   const RunResult run = run_program({"check", "--fail-on", "warning", folder.string()});
   // 2: no calibration is there, since the input is another folder's.
   const bool has_inputs = std::distance(fs::directory_iterator(folder), fs::directory_iterator()) > 1;  // beside README.md
   EXPECT_EQ(run.code, has_inputs ? 0 : 2) << run.out << run.err;
+}
+
+// The C++ that a recipe shows is that of the programs next to it, which tests/package builds and runs.
+TEST(RecipesList, ShowsProgramsThatAreBuilt) {
+  const fs::path folder = fs::path(FCA_EXAMPLES_DIR) / "cpp";
+  const std::string readme = read_file(folder / "README.md");
+  const std::string programs = read_file(folder / "settings.cc") + read_file(folder / "main.cc");
+  const std::string fence = "```cpp\n";
+  int shown = 0;
+  for (std::size_t at = readme.find(fence); at != std::string::npos; at = readme.find(fence, at)) {
+    at += fence.size();
+    const std::string code = readme.substr(at, readme.find("```", at) - at);
+    EXPECT_TRUE(contains(programs, code)) << code;
+    ++shown;
+  }
+  EXPECT_EQ(shown, 2);
 }
 
 TEST(RecipesList, HasEveryRecipe) {
