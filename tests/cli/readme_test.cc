@@ -203,48 +203,5 @@ TEST(Documents, HaveTheTablesOfTheRegistry) {
   }
 }
 
-/// The targets of links, "[text](target)", that are no addresses.
-std::vector<std::string> links_in(const std::string& text) {
-  std::vector<std::string> links;
-  for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
-    std::string link = text.substr(at + 2, text.find(')', at) - at - 2);
-    if (link.find("://") == std::string::npos && !link.starts_with('#')) links.push_back(link.substr(0, link.find('#')));
-  }
-  return links;
-}
-
-/// Every document of the repository: *.md where git's files are.
-std::vector<fs::path> documents() {
-  const fs::path root = fs::path(FCA_EXAMPLES_DIR).parent_path();
-  std::vector<fs::path> paths;
-  for (const fs::directory_entry& entry : fs::directory_iterator(root)) {
-    if (entry.path().extension() == ".md") paths.push_back(entry.path());
-  }
-  for (const char* folder : {"cli", "examples", "formats", "lib", "tests"}) {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
-      if (entry.path().extension() == ".md") paths.push_back(entry.path());
-    }
-  }
-  return paths;
-}
-
-// Documents stand beside what they describe, and lead to each other.
-TEST(Documents, LeadToFilesThatAreThere) {
-  std::size_t links = 0;
-  for (const fs::path& path : documents()) {
-    for (const std::string& link : links_in(read_file(path))) {
-      ++links;
-      EXPECT_TRUE(fs::exists(path.parent_path() / link)) << path << " leads to " << link;
-    }
-  }
-  EXPECT_GT(links, 40U);
-}
-
-TEST(Documents, AreShortWhereReadersBegin) {
-  const fs::path root = fs::path(FCA_EXAMPLES_DIR).parent_path();
-  for (const char* path : {"README.md", "CONTRIBUTING.md"}) EXPECT_LE(lines_of(read_file(root / path)).size(), 150U) << path;
-  EXPECT_LE(fs::file_size(root / "examples/tumvi/page.png"), 150'000U);
-}
-
 }  // namespace
 }  // namespace fca::test
