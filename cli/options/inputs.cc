@@ -131,7 +131,7 @@ void add_input_options(Options& options, Inputs& inputs) {
 void add_lens_circle_option(Options& options, Inputs& inputs) {
   options.group(OptionGroup::kLens);
   options.each("--lens-circle", "[CAMERA=]IMAGE",
-               "What counts as lens: the lit circle in this image, taken by the camera (of several: "
+               "What counts as lens: the image circle in this image, taken by the camera (of several: "
                "cam0=IMAGE); may be given several times, for dark scenes",
                [&inputs](const std::string& word) {
                  inputs.lens_circles.push_back(parse_camera_image(word));

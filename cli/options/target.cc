@@ -125,7 +125,9 @@ void add_target_options(Options& options, ConvertRequest& request) {
                 [&request](const std::string& word) { return take_degree(word, request.degree); });
   add_every_pixel_option(options, request.every_pixel);
   options.group(OptionGroup::kTarget);
-  options.flag("--anew", "Write a fresh file even where the input's own text could be edited; comments go", request.rewrite);
+  options.flag("--rewrite", "Write a fresh file even where the input's own text could be edited; comments go", request.rewrite);
+  options.flag("--anew", "The older name of --rewrite", request.rewrite);
+  options.hide({"--anew"});
   options.number("--fps", "HZ", "Frame rate, for formats that state it", [&request](double rate) -> std::optional<std::string> {
     if (!(rate > 0.0 && rate < 1e6)) return "--fps wants a rate in Hz, more than 0 and below 1e6";
     request.frame_rate_hz = rate;
@@ -163,7 +165,7 @@ std::optional<std::string> target_without_file(const ConvertRequest& request) {
   for (const Given& each :
        {Given{request.mode.has_value(), "--sensor"}, Given{!layout.empty(), layout},
         Given{request.frame_rate_hz.has_value(), "--fps"}, Given{request.baseline_m.has_value(), "--baseline"},
-        Given{!request.settings.empty(), "--set"}, Given{request.rewrite, "--anew"}}) {
+        Given{!request.settings.empty(), "--set"}, Given{request.rewrite, "--rewrite"}}) {
     if (each.given) return each.option + " says something about a written file; say with --to FORMAT which one";
   }
   return std::nullopt;

@@ -53,7 +53,7 @@ std::span<const CodeInfo> conversion_codes() {
               "another model may reach further: compare all models"),
       warning(Code::kFoldsInsideImage, "folds-inside-image",
               "{0}: its distortion folds at {1:.0f} deg from the axis, inside the image: {2:%} of the image has no ray",
-              "calibrate anew with observations up to the corners, or with a model for wide lenses (kb4, ds, eucm)"),
+              "calibrate again with observations up to the corners, or with a model for wide lenses (kb4, ds, eucm)"),
       warning(
           Code::kFocalLengthsDiffer, "focal-lengths-differ",
           "{0}: the focal lengths along u and v, {1:.4} and {2:.4} px, differ more than the sides of any sensor's pixels do",

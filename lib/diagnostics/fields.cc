@@ -75,7 +75,7 @@ std::span<const CodeInfo> field_codes() {
       clause(Code::kTheTopic, "the topic"),
       error(Code::kPoseMirrors, "left-handed",
             "T_{0}_{1} mirrors (its determinant is -1): no program can use it, and none is told",
-            "mend the sign or the order of its rows first"),
+            "fix the sign or the order of its rows first"),
       error(Code::kNumberWouldNotBeFinite, "not-finite", "{0} would not be a finite number in {1}"),
       clause(Code::kNumberWithoutName, "a number"),
   };

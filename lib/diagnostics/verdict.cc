@@ -31,7 +31,7 @@ std::span<const CodeInfo> verdict_codes() {
       clause(Code::kOrderOfThePair, ": {0} is left out, as it would put the right camera on the left"),
       reader_warning(Code::kVerdictNotAsked, "not-proven", "no program's reader was tried"),
       reader_warning(Code::kVerdictNoReader, "not-proven", "no program that fca-io knows reads it",
-                     "write it anew, with the keys that {0} reads"),
+                     "rewrite it with the keys that {0} reads"),
       warning(Code::kVerdictLost, "lost", "{0}"),
       warning(Code::kVerdictInvented, "invented-value", "{0:and}: no input states it, and it matters",
               "give a file that states it, too"),

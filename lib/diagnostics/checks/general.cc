@@ -57,7 +57,7 @@ std::span<const CodeInfo> general_codes() {
       any(Code::kAnyCentreOutside, "centre-outside", "the principal point lies outside the image", kWrongPixels),
       any(Code::kAnyCentreSwapped, "centre-swapped", "OCamCalib's centre has column before row", kWrongPixels),
       any(Code::kAnyCoefficientRepeated, "coefficient-repeated", "two distortion coefficients are the same number",
-          kWrongPixels, "copy the coefficients anew from the calibration's result"),
+          kWrongPixels, "copy the coefficients again from the calibration's result"),
       any(Code::kAnyCommentLines, "comment-lines", "a line too many before a block", kGarbage),
       any(Code::kAnyCommentMissing, "comment-missing", "no comment line before a block", kGarbage),
       any(Code::kAnyCommentTooLong, "comment-too-long", "a comment line longer than the reader's buffer", kGarbage),

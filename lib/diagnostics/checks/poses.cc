@@ -64,7 +64,7 @@ std::span<const CodeInfo> pose_check_codes() {
       question(Code::kDirectionUndecided, "pose-inverted", "direction of {0}{1}",
                "each is stated once, and a pose and its inverse are equally long"),
       question(Code::kWrongPoseUndecided, "pose-inverted", "which of {0} is wrong",
-               "a slip in any one of them would explain why they contradict each other"),
+               "a mistake in any one of them would explain why they contradict each other"),
       clause(Code::kAndTheOthers, " and the other poses"),
       about_poses(error(Code::kPosesContradict, "poses-contradict",
                         "{0} as stated and as it follows from the other poses differ by {1:.3} deg and {2}",

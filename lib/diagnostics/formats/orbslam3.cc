@@ -99,7 +99,7 @@ std::span<const CodeInfo> orbslam3_codes() {
            "{0}: kept as the base has it; in brackets what follows from the poses and fields of view", kSetAnother),
       clause(Code::kOrbslam3KeptColumn, "{0} {1} ({2})"),
       note(Code::kOrbslam3ColumnsComputed, "columns-computed",
-           "{0} of the base: of other images, so the columns are computed anew", kSetAnother),
+           "{0} of the base: of other images, so the columns are recomputed", kSetAnother),
       clause(Code::kOrbslam3GoneColumn, "{0} {1}"),
 
       // What a rig lacks for a sensor mode.

@@ -136,7 +136,7 @@ deviation and a density that was made larger look alike, it is called not decida
           "Their units differ (rad/s^2/sqrt(Hz) and rad/s/sqrt(Hz)); the numbers of real gyroscopes differ by 10 and more."},
     Story{"int-for-real",
           R"(Kalibr asks Python for a float, ORB-SLAM3 cv::FileNode for REAL: 190 and 20 are ints to both and refused. A decimal
-point mends it.)"},
+point fixes it.)"},
     Story{
         "invented-value",
         R"(The target's program stops without the value and no input states it, so convert took the one that the report names. An
@@ -352,7 +352,7 @@ length with the distance of the two lenses.)"},
     Story{"unknown-format", "fca-io formats lists what is read, and by which keys it is told."},
     Story{"unknown-model", "The message names those that the program knows. fca-io models has the other names of each."},
     Story{"unquoted-text",
-          "File.version: 1.0 is a number to OpenCV; PinHole # a comment is text with its comment. Quotes mend both."},
+          "File.version: 1.0 is a number to OpenCV; PinHole # a comment is text with its comment. Quotes fix both."},
     Story{
         "utf-16",
         "Windows' editors and redirections in PowerShell save text as UTF-16, two bytes for a character. No program that reads "
