@@ -34,11 +34,11 @@ std::span<const CodeInfo> loss_codes() {
       loss(Code::kPoseRecomputed, "pose-recomputed", "pose of {0} in {2}",
            "its matrix is no exact rotation, and {1} says the nearest one", "nothing: the nearest rotation is meant"),
       loss(Code::kTumviPoseRecomputed, "pose-recomputed", "{0} {1}",
-           "as stated it differs from T_cn_cnm1 times the pose of {2} by up to {3:.3} in an element, and TUM-VI's two "
+           "as given it differs from T_cn_cnm1 times the pose of {2} by up to {3:.3} in an element, and TUM-VI's two "
            "statements agree",
            "check which of them is right"),
       loss(Code::kWoodscapeStaleTranslation, "stale-derived", "extrinsic.{1}",
-           "it is kept as it was, and the pose beside it is another one", "remove it, or write the new pose's"),
+           "it is kept as it was, and the pose next to it is another one", "remove it, or write the new pose's"),
       clause(Code::kSeveralFilesBecomeOne, "several files become one"),
       clause(Code::kFilesHaveNoPlace, "files of {0} have no place for it"),
       loss(Code::kImuDropped, "imu-dropped", "{0} noise and rate", "{2}",

@@ -24,7 +24,7 @@ std::span<const CodeInfo> convert_codes() {
       bad_request(Code::kArgumentsWithoutUse, kUseless, "arguments of a command line are for {0:or}, not {1}"),
       bad_request(Code::kDegreeWithoutUse, kUseless, "a degree is for files for {0:or}, not {1}"),
       bad_request(Code::kLayoutWithoutUse, kUseless, "a layout of {0} is for files for {0}, not {1}"),
-      error(Code::kNothingToConvert, "no-camera", "the file holds {0}", "give it beside the file that holds the cameras"),
+      error(Code::kNothingToConvert, "no-camera", "the file holds {0}", "give it with the file that holds the cameras"),
       clause(Code::kImuAndNoCamera, "an IMU and no camera"),
       clause(Code::kPoseAndNoCamera, "{0} pose{0:s} and no camera"),
       clause(Code::kNoCameraAtAll, "no camera"),
@@ -41,7 +41,7 @@ std::span<const CodeInfo> convert_codes() {
                   "{0} = {1} and the frame rate of {2} Hz contradict each other"),
       clause(Code::kTakenAsMetres, "taken as metres"),
       clause(Code::kGiveLengthUnit, "say in which unit the translations are"),
-      clause(Code::kGiveFileAndUnit, "give a file that states it, too, and say in which unit the translations are"),
+      clause(Code::kGiveFileAndUnit, "give a file that contains it, too, and say in which unit the translations are"),
 
       // The file that is written into.
       bad_request(Code::kIntoWithoutCamera, "into-without-camera",
@@ -51,8 +51,8 @@ std::span<const CodeInfo> convert_codes() {
                   "name that of the sensor: {1:or}"),
       bad_request(Code::kIntoAnotherFormat, "into-another-format", "the file is {0}, and the format asked for is {1}",
                   "ask for no format: it is the file's"),
-      error(Code::kIntoWithoutPose, "pose-missing", "{2} holds nothing but poses, of {3}, and {0} states none of these{1}",
-            "give an input that states one of these poses, or write the cameras to another file"),
+      error(Code::kIntoWithoutPose, "pose-missing", "{2} holds nothing but poses, of {3}, and {0} contains none of these{1}",
+            "give an input with one of these poses, or write the cameras to another file"),
       clause(Code::kHasOneCamera, " (it has one camera)"),
       bad_request(Code::kModelsDiffer, "models-differ",
                   "a camera stays, of the model {0}, and {1} have one model for all cameras",
@@ -64,21 +64,22 @@ std::span<const CodeInfo> convert_codes() {
           "{0}: the base is for images of {1} x {2} px, and the input's are of {3} x {4} px",
           "change the input's images to {1} x {2} px if the base's are the input's, scaled; say that they become {3} x {4} px "
           "if the base is to become one for the input's"),
-      bad_request(Code::kIntoDoesNotFit, kNoOtherLayout, "what the input says does not fit into the layout of this file",
+      bad_request(Code::kIntoDoesNotFit, kNoOtherLayout, "what the input contains does not fit into the layout of this file",
                   "write another file"),
-      bad_request(Code::kIntoDoesNotFitWords, kNoOtherLayout, "what the input says does not fit into the layout of this file",
-                  "write another file, as {0}"),
+      bad_request(Code::kIntoDoesNotFitWords, kNoOtherLayout,
+                  "what the input contains does not fit into the layout of this file", "write another file, as {0}"),
       note(Code::kCameraReplaced, "camera-replaced", "{0} of the input takes the place of {1} of the base"),
       note(Code::kPoseFollows, "pose-follows",
-           "the base states the pose of {0} relative to {1}, and the input says another; it is written as it follows from the "
+           "the base contains the pose of {0} relative to {1}, and the input contains another; it is written as it follows "
+           "from the "
            "input"),
       note(Code::kCameraKept, "camera-kept", "{0} of the base is not in the input and stays as it is"),
       note(Code::kBaselineKept, "baseline-kept",
-           "the input states no baseline: the base's {0:.2f} cm stay, and what is its product with fx (bf) follows"),
+           "the input contains no baseline: the base's {0:.2f} cm stay, and what is its product with fx (bf) follows"),
       note(Code::kPoseKept, "pose-kept",
-           "the input states no such pose: {0} stays as the base has it, not checked against the new camera"),
+           "the input contains no such pose: {0} stays as the base has it, not checked against the new camera"),
       note(Code::kPosesKept, "pose-kept",
-           "the input states no such pose: {0} stay as the base has them, not checked against the new camera"),
+           "the input contains no such pose: {0} stay as the base has them, not checked against the new camera"),
       warning(Code::kStaleOfImages, "stale-derived", "{0}: of the images as they were calibrated, and kept unchanged",
               "compute it for the new images"),
       warning(Code::kStaleOfLenses, "stale-derived", "{0}: of the base's cameras, and kept unchanged",
@@ -119,7 +120,7 @@ std::span<const CodeInfo> convert_codes() {
 
       // The files.
       bad_request(Code::kSeveralFiles, "one-output", "{0}: these are {1} files",
-                  "name a folder, or a file that has the others beside it"),
+                  "name a folder, or a file that gets the others next to it"),
       bad_request(Code::kOneCameraPerFile, "one-camera-per-file", "{0} camera per file, and here are {1}",
                   "name a folder, or a pattern for the files' names, or choose one camera"),
       bad_request(Code::kPartHasNoRoom, "one-output", "{0}: {1} is a file of its own, and there is room for one file",
@@ -129,7 +130,7 @@ std::span<const CodeInfo> convert_codes() {
       clause(Code::kArgumentsHeadline, "arguments for {0}'s command line"),
       clause(Code::kHeadlineAsRead, "{0}, as {1} reads it"),
       loss(Code::kImuFileDropped, "second-file-dropped", "{0} with all that it holds",
-           "there is one output, which has no place for it", "write into a folder: it lies beside the others"),
+           "there is one output, which has no place for it", "write into a folder: it lies next to the others"),
       note(Code::kMisnamed, "extension", "{0} holds {1}, whatever its name says: its readers go by the content"),
       bad_request(
           Code::kOtherFormInFolder, "other-form-in-folder",
