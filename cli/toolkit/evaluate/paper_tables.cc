@@ -28,8 +28,8 @@ struct OccParameters {
   std::array<double, kTerms> a{};
 };
 
-// The toolbox's form acts on (row, column), so that its c is the inverse of the paper's, and its radius the paper's times the
-// paper's c. 0 - x, as no coefficient is to be -0.
+// The toolbox's form acts on (row, column) in place of (u, v). So its c is the inverse of the paper's c, and its radius is the
+// paper's radius times the paper's c. Signs change by 0 - x and not by -x, so that no coefficient is -0.
 Intrinsics<Ocamcalib> toolbox_form(const OccParameters& occ) {
   CameraModel model = Intrinsics<Ocamcalib>{};
   set_parameter(model, "cx", occ.cx);
