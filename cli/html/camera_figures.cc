@@ -215,7 +215,7 @@ void put_figures(Html& html, const DrawnCamera& camera) {
   if (map) return;
   html.element("p", {{"class", "warning"}},
                camera.source.image_size ? "No map: no pixel of the image has a ray."
-                                        : "No map: the file states no image size; --size WxH gives it.");
+                                        : "No map: the file contains no image size; --size WxH gives it.");
 }
 
 }  // namespace fca::cli

@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view kNotCovered = "not covered";
 
 std::string degrees_of(const Camera& camera, const std::optional<double>& radians) {
-  if (!camera.image_size) return "not stated";
+  if (!camera.image_size) return "not given";
   return radians ? fixed(*radians * kDegreesPerRadian, 1) + " deg" : std::string(kNotCovered);
 }
 
@@ -136,10 +136,10 @@ void put_camera_table(Html& html, const ReportContents& contents) {
   for (const Camera& camera : rig.cameras) {
     const FieldsOfView view = fields_of_view(camera, contents.shown.limit_deg / kDegreesPerRadian);
     table.rows.push_back({camera.name, std::string(camera.lens_title()),
-                          camera.image_size ? size_in_words(*camera.image_size) : "not stated",
+                          camera.image_size ? size_in_words(*camera.image_size) : "not given",
                           degrees_of(camera, view.horizontal), degrees_of(camera, view.vertical),
                           degrees_of(camera, view.diagonal), degrees_of(camera, view.largest_from_axis),
-                          camera.time_offset_s ? text::format_short(*camera.time_offset_s, 9) + " s" : "not stated"});
+                          camera.time_offset_s ? text::format_short(*camera.time_offset_s, 9) + " s" : "not given"});
   }
   put_table(html, table);
   const auto is_short = [](const std::vector<std::string>& row) { return std::ranges::find(row, kNotCovered) != row.end(); };

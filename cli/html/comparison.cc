@@ -51,7 +51,7 @@ void put_line(Html& html, const char* what, const std::string& text) {
 
 void put_words(Html& html, const CameraComparison& camera) {
   if (camera.other_size) put_line(html, "scaled from: ", size_in_words(*camera.other_size) + " px");
-  if (camera.size_assumed) put_line(html, "size: ", "assumed, no file states one (--size does)");
+  if (camera.size_assumed) put_line(html, "size: ", "assumed, no file contains one (--size does)");
   if (camera.identical) {
     put_line(html, "difference: ", "none: the same model and parameters");
     return;
@@ -179,11 +179,11 @@ std::string title_of(const Calibration& calibration) {
 std::string comparison_page(const ReferenceFile& reference, const ComparedFile& compared, std::optional<double> max_angle_rad,
                             const std::string& command) {
   const RigComparison& comparison = *compared.comparison;
-  const std::string title = file_in_words(compared.file) + " beside " + file_in_words(reference.file);
+  const std::string title = file_in_words(compared.file) + " next to " + file_in_words(reference.file);
   return page_around(title, [&](Html& html) {
     html.element("h1", {}, title);
     html.element("p", {{"class", "soft"}},
-                 title_of(*compared.calibration) + " beside " + title_of(*reference.calibration) +
+                 title_of(*compared.calibration) + " next to " + title_of(*reference.calibration) +
                      ", as fca-io " FCA_VERSION " reads them");
     html.element("p", {{"class", "strong verdict"}}, "Verdict: " + verdict_of(compared));
     for (const Mistake& mistake : comparison.mistakes)

@@ -258,7 +258,7 @@ void put_legend(Html& html, const MapFigure& figure) {
     if (has(Part::kUnrepresentable)) entry("unrepresentable", "beyond what the target represents");
     if (figure.marked) entry("worst", "worst pixel");
     entry("cross", "principal point");
-    if (figure.rim) entry("rim", "lit circle of the images");
+    if (figure.rim) entry("rim", "image circle");
   });
 }
 

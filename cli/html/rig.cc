@@ -13,7 +13,7 @@ namespace fca::cli {
 namespace {
 
 std::string stated(const std::optional<double>& value, const char* unit) {
-  return value ? text::format_short(*value) + " " + unit : "not stated";
+  return value ? text::format_short(*value) + " " + unit : "not given";
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ void put_poses(Html& html, const ReportContents& contents) {
   const Rig& rig = calibration.rig;
   html.element("h2", {}, "How they sit to each other");
   if (rig.poses.empty()) {
-    html.element("p", {}, rig.baseline_m ? "" : "The file states no pose.");
+    html.element("p", {}, rig.baseline_m ? "" : "The file contains no pose.");
   } else {
     const PlacedRig placed = placed_rig(rig);
     if (placed.frames.size() > 1)
@@ -31,7 +31,7 @@ void put_poses(Html& html, const ReportContents& contents) {
     if (!placed.unplaced.empty()) {
       html.element(
           "p", {{"class", "warning"}},
-          "Nothing says where " + enumerated(placed.unplaced, "and") + " sits beside " + placed.frames.front().name + ".");
+          "Nothing says where " + enumerated(placed.unplaced, "and") + " sits relative to " + placed.frames.front().name + ".");
     }
     html.element("ul", {}, [&] {
       for (const PoseEdge& edge : rig.poses) {

@@ -21,7 +21,7 @@ namespace fca::cli {
 namespace {
 
 std::string short_model_line(const Camera& camera) {
-  const std::string size = camera.image_size ? ", " + size_in_words(*camera.image_size) + " px" : ", image size not stated";
+  const std::string size = camera.image_size ? ", " + size_in_words(*camera.image_size) + " px" : ", image size not given";
   return camera.name + ": " + std::string(camera.lens_id()) + size;
 }
 
@@ -114,7 +114,7 @@ void put_sources(Html& html, const ReportContents& contents) {
     html.element("pre", {{"class", "command"}}, contents.convert);
   }
   html.element("details", {}, [&] {
-    html.element("summary", {}, "All that the file says, as fca-io show prints it");
+    html.element("summary", {}, "All that the file contains, as fca-io show prints it");
     html.element("pre", {}, show_text(contents.shown));
   });
 }

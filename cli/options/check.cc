@@ -41,8 +41,7 @@ std::optional<std::string> usage_error(const CheckArguments& arguments) {
   if (!changes.empty())
     return "check looks at every file as it stands: " + text::enumerated(changes, "and") + " has no use here";
   if (arguments.write && !arguments.fix) return "--write is for --fix";
-  if (arguments.fix && (arguments.json || arguments.sarif))
-    return "--fix shows a diff: --json and --sarif have no use beside it";
+  if (arguments.fix && (arguments.json || arguments.sarif)) return "--fix shows a diff: --json and --sarif have no use with it";
   if (arguments.fix && arguments.write && reads_of_standard_input(arguments.files) > 0)
     return "--write cannot write to standard input";
   if (arguments.quiet && arguments.verbose) return "--quiet and --verbose exclude each other";
@@ -66,7 +65,7 @@ void add_check_options(Options& options, CheckArguments& arguments) {
                          text::enumerated(program_ids(), "or") + " (default: the format's own)",
                      request.program);
   options.group(OptionGroup::kOutput);
-  options.value("--explain", "CODE", "The story behind a finding's code, or the meaning of any code in brackets",
+  options.value("--explain", "CODE", "The explanation of a finding's code, or the meaning of any code in brackets",
                 [&arguments](const std::string& id) { return take_code(id, arguments.explain); });
   options.flag("--list-codes", "All codes with what they mean", arguments.list_codes);
   options.group(OptionGroup::kProof);

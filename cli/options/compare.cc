@@ -11,8 +11,8 @@ namespace {
 
 std::optional<std::string> usage_error(const CompareArguments& arguments) {
   const CompareRequest& request = arguments.request;
-  if (request.reference.join) return "compare lays each FILE beside REF by itself: --join has no use here";
-  if (!arguments.page.empty() && request.files.size() > 1) return "--report is about one FILE beside REF";
+  if (request.reference.join) return "compare compares each FILE with REF by itself: --join has no use here";
+  if (!arguments.page.empty() && request.files.size() > 1) return "--report is about one FILE and REF";
   if (arguments.force && arguments.page.empty()) return "--force is for --report: it overwrites an existing page";
   if (reads_of_standard_input(request.files) + reads_of_standard_input(request.reference.files) > 1)
     return "standard input can be read only once";
@@ -24,7 +24,7 @@ std::optional<std::string> usage_error(const CompareArguments& arguments) {
 void add_compare_options(Options& options, CompareArguments& arguments) {
   CompareRequest& request = arguments.request;
   options.one_positional("REF", "The calibration that counts as right; '-' is standard input", request.reference.files);
-  options.positional("FILE", "Calibration file(s) to lay beside it, each by itself", request.files);
+  options.positional("FILE", "Calibration file(s) to compare with it, each by itself", request.files);
   add_input_options(options, request.reference);
   add_lens_circle_option(options, request.reference);
   add_imu_rate_option(options, request.reference);

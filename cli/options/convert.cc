@@ -112,7 +112,7 @@ std::optional<std::string> problem_with(const ConvertArguments& arguments, bool 
   if (request.as_arguments && (arguments.output.is_said() || !request.into.empty()))
     return "--print writes no file: leave out -o and --into";
   if (many && !request.into.empty()) return "--into wants one input, or several that are one rig (--join)";
-  constexpr std::string_view kOneRig = "; parts of one calibration go behind --with, cameras of one rig want --join";
+  constexpr std::string_view kOneRig = "; parts of one calibration go after --with, cameras of one rig want --join";
   if (many && arguments.output.is_said() && !arguments.output.holds_many())
     return "several inputs need -o FOLDER/ or a pattern such as -o 'out/{stem}.{format}.yaml'" + std::string(kOneRig);
   if (many && !arguments.output.is_said() && !arguments.json)

@@ -11,7 +11,7 @@ void add_evaluate_options(Options& options, EvaluateArguments& arguments) {
                 arguments.image);
   add_json_option(options, arguments.json);
   options.footer(
-      "The cameras are the paper's. Its figures stand beside ours, and why they differ. The paper's images are not ours:\n"
+      "The cameras are the paper's. Its figures are next to ours, and why they differ. The paper's images are not ours:\n"
       "--image takes any; examples/cpp/render_image.cc makes one.\n\n"
       "Example:\n"
       "  fca-io evaluate\n"

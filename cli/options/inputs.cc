@@ -103,10 +103,10 @@ void add_input_options(Options& options, Inputs& inputs) {
         return std::nullopt;
       },
       OptionKey::kCameras);
-  options.value("--size", "WxH", "Image size of an input that does not state one, or has a lens for each of several: 640x480",
+  options.value("--size", "WxH", "Image size of an input that does not contain one, or has a lens for each of several: 640x480",
                 [&inputs](const std::string& word) { return take_size("--size", word, inputs.image_size); });
   options.value("--unit", "m|cm|mm",
-                "The unit of translations in files that do not state it (OpenCV's, COLMAP's; default: metres)",
+                "The unit of translations in files that do not contain it (OpenCV's, COLMAP's; default: metres)",
                 [&inputs](const std::string& word) { return take_unit(word, inputs.length_unit_m); });
   options.value("--crop", "X,Y,W,H", "The images are this part of the calibrated ones; before --binning and --resize",
                 [&inputs](const std::string& word) { return take_region(word, inputs.change.crop); });
@@ -131,7 +131,7 @@ void add_input_options(Options& options, Inputs& inputs) {
 void add_lens_circle_option(Options& options, Inputs& inputs) {
   options.group(OptionGroup::kLens);
   options.each("--lens-circle", "[CAMERA=]IMAGE",
-               "What counts as lens: the lit circle in this image, taken by the camera (of several: "
+               "What counts as lens: the image circle in this image, taken by the camera (of several: "
                "cam0=IMAGE); may be given several times, for dark scenes",
                [&inputs](const std::string& word) {
                  inputs.lens_circles.push_back(parse_camera_image(word));
@@ -150,7 +150,7 @@ void add_join_option(Options& options, Inputs& inputs) {
 
 void add_imu_rate_option(Options& options, Inputs& inputs) {
   options.group(OptionGroup::kReading);
-  options.number("--imu-rate", "HZ", "The IMU's rate, of an input that does not state it (VINS-Fusion's configuration)",
+  options.number("--imu-rate", "HZ", "The IMU's rate, of an input that does not contain it (VINS-Fusion's configuration)",
                  [&inputs](double rate_hz) -> std::optional<std::string> {
                    constexpr double kSlowest = 0.1;
                    constexpr double kFastest = 1e6;

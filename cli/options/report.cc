@@ -15,13 +15,13 @@ std::optional<std::string> take_models(const std::string& word, ReportRequest& r
   request.every_model = word == "all";
   if (request.every_model) return std::nullopt;
   std::optional<std::string> problem = take_model(word, request.conversion.model);
-  if (problem) *problem += "; --model all lays every model beside the others";
+  if (problem) *problem += "; --model all compares every model with the others";
   return problem;
 }
 
 std::optional<std::string> usage_error(const ConvertRequest& conversion) {
   if (conversion.inputs.files.size() > 1 && !conversion.inputs.join)
-    return "a page is about one calibration; parts of it go behind --with, cameras of one rig want --join";
+    return "a page is about one calibration; parts of it go after --with, cameras of one rig want --join";
   if (const std::optional<std::string> error = target_without_file(conversion)) return error;
   return problem_with(conversion);
 }
@@ -35,7 +35,7 @@ void add_report_options(Options& options, ReportArguments& arguments) {
   add_to_option(options, "Show what converting it to this format does", conversion);
   const ModelOption model = {.values = "MODEL|all",
                              .help = "Show what converting the cameras to this model does",
-                             .more = "; all: every model beside the others, and which to take"};
+                             .more = "; all: every model next to the others, and which to take"};
   add_model_option(options, model, [&request](const std::string& word) { return take_models(word, request); });
   add_output_option(options, "The page: one HTML file (default: standard output)", arguments.output);
   add_input_options(options, conversion.inputs);
@@ -46,7 +46,7 @@ void add_report_options(Options& options, ReportArguments& arguments) {
   options.group(OptionGroup::kOutput);
   add_force_option(options, "Overwrite an existing page", arguments.force);
   options.footer(
-      "The page needs nothing beside itself: no network, no scripts. It is written even where convert would refuse to write\n"
+      "The page needs nothing but itself: no network, no scripts. It is written even where convert would refuse to write\n"
       "the file (exit 1), and says so; of what cannot be converted at all (exit 2) there is none.\n\n"
       "Example:\n"
       "  fca-io report camchain.yaml --with imu.yaml --to orbslam3 -o page.html\n"

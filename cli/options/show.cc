@@ -16,7 +16,7 @@ std::optional<std::string> usage_error(const ReadRequest& request) {
   std::vector<std::string> changes = given_changes(inputs);
   if (inputs.length_unit_m) changes.emplace_back("--unit");
   if (request.program == nullptr || changes.empty()) return std::nullopt;
-  return "--for is about a file as it stands: " + text::enumerated(changes, "and") + " has no use beside it";
+  return "--for is about a file as it stands: " + text::enumerated(changes, "and") + " has no use with it";
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ void add_target_options(Options& options, ConvertRequest& request) {
     options.value("--" + std::string(format.id) + "-layout", "LAYOUT", text::text_of({format.about_layouts, {}}),
                   [&request, &format](const std::string& word) { return take_layout(word, format, request.layout); });
   }
-  options.value("--into", "BASE", "Write what the input says into this file's text; its format is --to", request.into);
+  options.value("--into", "BASE", "Write what the input contains into this file's text; its format is --to", request.into);
   options.value("--objective", "rms|max",
                 "What a fit makes small: rms, or max, the error of the worst pixel (the report says what that costs in rms)",
                 [&request](const std::string& word) { return take_objective(word, request.objective); });
@@ -164,8 +164,10 @@ void add_target_options(Options& options, ConvertRequest& request) {
                request.absorb_turn);
   add_every_pixel_option(options, request.every_pixel);
   options.group(OptionGroup::kTarget);
-  options.flag("--anew", "Write a fresh file even where the input's own text could be edited; comments go", request.rewrite);
-  options.number("--fps", "HZ", "Frame rate, for formats that state it", [&request](double rate) -> std::optional<std::string> {
+  options.flag("--rewrite", "Write a fresh file even where the input's own text could be edited; comments go", request.rewrite);
+  options.flag("--anew", "The older name of --rewrite", request.rewrite);
+  options.hide({"--anew"});
+  options.number("--fps", "HZ", "Frame rate, for formats that have it", [&request](double rate) -> std::optional<std::string> {
     if (!(rate > 0.0 && rate < 1e6)) return "--fps wants a rate in Hz, more than 0 and below 1e6";
     request.frame_rate_hz = rate;
     return std::nullopt;
@@ -177,7 +179,7 @@ void add_target_options(Options& options, ConvertRequest& request) {
                    return std::nullopt;
                  });
   options.each("--set", "KEY=VALUE",
-               "A value of the written file that no calibration states; KEY may be nested (cam0/rostopic); repeatable",
+               "A value of the written file that no calibration contains; KEY may be nested (cam0/rostopic); repeatable",
                [&request](const std::string& word) { return take_setting(word, request.settings); });
 }
 
@@ -208,7 +210,7 @@ std::optional<std::string> target_without_file(const ConvertRequest& request) {
   for (const Given& each :
        {Given{request.mode.has_value(), "--sensor"}, Given{!layout.empty(), layout},
         Given{request.frame_rate_hz.has_value(), "--fps"}, Given{request.baseline_m.has_value(), "--baseline"},
-        Given{!request.settings.empty(), "--set"}, Given{request.rewrite, "--anew"}}) {
+        Given{!request.settings.empty(), "--set"}, Given{request.rewrite, "--rewrite"}}) {
     if (each.given) return each.option + " says something about a written file; say with --to FORMAT which one";
   }
   return std::nullopt;

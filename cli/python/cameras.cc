@@ -79,7 +79,7 @@ Camera from_opencv(const Array& K, const Array& D, const std::optional<Size>& si
   Camera camera = camera_of(model, parameters, size, name);
   if (k[1] == 0.0) return camera;
   const std::optional<CameraModel> skewed = with_skew(camera.model, k[1]);
-  if (!skewed) raise_value_error("K has a skew (K[0, 1]), which no model here has beside the numbers of " + model);
+  if (!skewed) raise_value_error("K has a skew (K[0, 1]), which no model here has with the numbers of " + model);
   camera.model = *skewed;
   return camera;
 }
@@ -154,8 +154,8 @@ Pixels are (u, v), with (0, 0) at the centre of the top-left pixel. Rays are (x 
       .def_property_readonly(
           "model", [](const Camera& camera) { return std::string(model_info(camera.model).id); }, "'kb4', 'ds', ...")
       .def_property_readonly("parameters", &parameters_of, "By name, in the model's order.")
-      .def_property_readonly("image_size", &size_as_pair, "(width, height), or None where nothing states it.")
-      .def_readonly("time_offset", &Camera::time_offset_s, "Seconds: t_imu = t_cam + time_offset. None: not stated.")
+      .def_property_readonly("image_size", &size_as_pair, "(width, height), or None where no input contains it.")
+      .def_readonly("time_offset", &Camera::time_offset_s, "Seconds: t_imu = t_cam + time_offset. None: not given.")
       .def_readonly("topic", &Camera::topic)
       .def_property_readonly(
           "max_angle", [](const Camera& camera) { return max_angle(camera.model) * kDegreesPerRadian; },

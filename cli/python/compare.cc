@@ -90,7 +90,7 @@ void add_compare(py::module_& module) {
       .def_readonly("cameras", &RigComparison::cameras)
       .def_readonly("poses", &RigComparison::poses)
       .def_property_readonly("identical", &RigComparison::identical)
-      .def_property_readonly("mistakes", &mistakes_of, "Slips of the pen that explain a difference.");
+      .def_property_readonly("mistakes", &mistakes_of, "Common mistakes that explain a difference.");
   module.def("compare", &compare_sources, py::arg("reference"), py::arg("other"), py::kw_only(),
              py::arg("max_angle") = py::none(), "How two calibrations, of any formats and models, differ: paths or Rigs.");
   py::class_<ModelRow>(module, "ModelFit", "One camera model as a target.")

@@ -44,7 +44,7 @@ ReadRig read_rig(const py::object& path, const std::vector<py::object>& parts, c
 
 Array pose_of(const ReadRig& rig, const std::string& a, const std::string& b) {
   const std::optional<Transform> T_a_b = rig.rig.resolve(a, b);
-  if (!T_a_b) throw py::key_error("the file states no pose between '" + a + "' and '" + b + "'");
+  if (!T_a_b) throw py::key_error("the file contains no pose between '" + a + "' and '" + b + "'");
   return matrix_of(*T_a_b);
 }
 
@@ -86,13 +86,13 @@ void add_rigs(py::module_& module) {
       .def_readonly("warnings", &ReadRig::warnings, "What its reader noticed.")
       .def("camera", &camera_of, py::arg("name"), py::return_value_policy::copy)
       .def("pose", &pose_of, py::arg("a"), py::arg("b"),
-           "T_a_b as a matrix (4, 4): takes points in b to points in a, in metres. KeyError where the file states none.");
+           "T_a_b as a matrix (4, 4): takes points in b to points in a, in metres. KeyError where the file contains none.");
   module.def("read", &read_rig, py::arg("path"), py::arg("parts") = std::vector<py::object>(), py::arg("format") = py::none(),
              py::arg("image_size") = py::none(), py::arg("opencv_model") = py::none(),
              R"(Reads a calibration file of any format.
 
 parts: further files of the same calibration (imu.yaml). format: found by the content unless given. image_size: (width,
-height), for files that state none. opencv_model: 'pinhole' or 'fisheye', where four coefficients could be either.
+height), for files that contain none. opencv_model: 'pinhole' or 'fisheye', where four coefficients could be either.
 Raises fca_io.Error with code, file, line and column.)");
 }
 

@@ -95,7 +95,7 @@ std::string placement_in_words(const Placement& placement) {
 std::string pose_in_words(const PoseEdge& edge, const Rig& rig, bool in_metres) {
   const bool a_sees = rig.find_camera(edge.a) != nullptr;
   const bool b_sees = rig.find_camera(edge.b) != nullptr;
-  const std::string_view unit = in_metres ? "" : ", if the unit of its position is the metre (the file states none)";
+  const std::string_view unit = in_metres ? "" : ", if the unit of its position is the metre (the file contains none)";
   if (b_sees && !a_sees) return placement_in_words({edge.b, edge.a, true, false, edge.T_a_b}).append(unit);
   const std::optional<Transform> T_b_a = inverse(edge.T_a_b);
   return T_b_a ? placement_in_words({edge.a, edge.b, a_sees, b_sees, *T_b_a}).append(unit) : "";

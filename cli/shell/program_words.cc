@@ -20,7 +20,7 @@ std::string camera_text(const CameraProof& camera) {
   std::string text = camera.name + ": " + camera.model;
   if (camera.width > 0 && camera.height > 0) text += ", " + size_in_words({camera.width, camera.height}) + " px";
   if (camera.compared_share == 0.0) {
-    return text + (camera.agrees ? ": no pixels compared, as the file states no image size (--size WxH)"
+    return text + (camera.agrees ? ": no pixels compared, as the file contains no image size (--size WxH)"
                                  : ": it has no pixel where the file means one");
   }
   if (camera.agrees) return text + ": within " + pixels(camera.max_diff_px) + " px of what the file means";

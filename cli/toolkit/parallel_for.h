@@ -14,8 +14,9 @@ namespace fca {
 /// first exception is thrown here.
 void parallel_for(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& body);
 
-/// Runs a task that prepares what is done again, when it is needed, if it was not: nothing happens where no thread can be
-/// started, or where the task throws. The thread's destructor waits for it.
+/// Runs `task` in a thread of its own. It is for preparations that their user repeats if they did not happen (loading a
+/// library): where no thread can be started, or where the task throws, nothing happens. The returned thread's destructor waits
+/// for the task.
 [[nodiscard]] std::jthread in_background(const std::function<void()>& task);
 
 }  // namespace fca

@@ -166,7 +166,7 @@ class Loader {
     const Json& lens = has(*camera.frame, "k1") ? *camera.frame : file_.root();
     const bool flagged = file_.flag(lens, "is_fisheye");
     if (named && !flagged) {
-      file_.warn(Code::kNerfSaysTakenForPerspective, {"camera_model", "is_fisheye true beside the coefficients"},
+      file_.warn(Code::kNerfSaysTakenForPerspective, {"camera_model", "is_fisheye true next to the coefficients"},
                  "camera_model");
       return true;
     }

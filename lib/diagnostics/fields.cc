@@ -73,9 +73,8 @@ std::span<const CodeInfo> field_codes() {
       clause(Code::kTheCamera, "the camera"),
       clause(Code::kTheImu, "the IMU"),
       clause(Code::kTheTopic, "the topic"),
-      error(Code::kPoseMirrors, "left-handed",
-            "T_{0}_{1} mirrors (its determinant is -1): no program can use it, and none is told",
-            "mend the sign or the order of its rows first"),
+      error(Code::kPoseMirrors, "left-handed", "T_{0}_{1} mirrors (its determinant is -1): no program can use it",
+            "fix the sign or the order of its rows first"),
       error(Code::kNumberWouldNotBeFinite, "not-finite", "{0} would not be a finite number in {1}"),
       clause(Code::kNumberWithoutName, "a number"),
   };

@@ -142,7 +142,7 @@ std::span<const CodeInfo> file_codes() {
       error(Code::kLooksLikePoseAlone, kUnknown,
             "looks like one pose alone, 12 numbers as in KITTI-360's calib_cam_to_velo.txt, which fca-io does not read",
             "give perspective.txt and calib_cam_to_pose.txt; calib_cam_to_velo.txt is T_velo_cam, of image_00; which way the "
-            "12 numbers of another file go is not stated"),
+            "12 numbers of another file go is not given"),
       error(Code::kLooksLikeKittiRawPose, kUnknown,
             "looks like KITTI's pose of one sensor at another (R: and T:), which fca-io does not read",
             "give calib_cam_to_cam.txt; calib_velo_to_cam.txt is T_cam_velo (x_cam = R x_velo + T), calib_imu_to_velo.txt "
@@ -151,7 +151,7 @@ std::span<const CodeInfo> file_codes() {
           Code::kLooksLikeRealsenseStream, kUnknown,
           "looks like the intrinsics of one stream of a RealSense camera, without its name ({0} and {1})",
           "put the stream's name before them in JSON, {{\"color\": {{...}}}}, or write them for OpenCV, with width and height: "
-          "inverse_brown_conrady with zeros is a pinhole; they state no pose"),
+          "inverse_brown_conrady with zeros is a pinhole; they contain no pose"),
       error(Code::kLooksLikeMatlabPrint, kUnknown,
             "looks like what MATLAB prints of its camera parameters ({0} and {1}), which fca-io does not read",
             "write its numbers for OpenCV, those of a fisheye as OCamCalib's calib_results.txt; ask MATLAB for what it prints "
@@ -166,7 +166,7 @@ std::span<const CodeInfo> file_codes() {
             "give cameras.txt, and rigs.txt if there is one; QW to TZ are T_camera_world, of one image"),
       error(Code::kLooksLikeKalibrReport, kUnknown,
             "looks like Kalibr's report in words ({0} and {1}), which fca-io does not read",
-            "give the camchain that Kalibr wrote beside it; T_1_0 is T_cam1_cam0, T_ci T_cam_imu"),
+            "give the camchain that Kalibr wrote next to it; T_1_0 is T_cam1_cam0, T_ci T_cam_imu"),
       error(Code::kLooksLikeKalibrTarget, kUnknown,
             "looks like the target that Kalibr calibrates with, no calibration ({0} and {1})",
             "give the camchain that Kalibr wrote"),
@@ -174,7 +174,7 @@ std::span<const CodeInfo> file_codes() {
             "looks like a camera of apex-camera-models, with Kalibr's keys and other lenses ({0} {1}), which fca-io does not "
             "read",
             "write it as a Kalibr camchain: kannala_brandt is pinhole with equidistant, and double_sphere ends in alpha xi (in "
-            "older files xi alpha), which Kalibr's ds begins with as xi alpha; it states no pose"),
+            "older files xi alpha), which Kalibr's ds begins with as xi alpha; it contains no pose"),
       error(Code::kLooksLikeKimeraTemplate, kUnknown,
             "looks like Kimera-VIO's template of a camera's file, whose numbers are not filled in ({0} and {1})",
             "give the Kalibr camchain that it is filled in from; T_BS is T_body_camera"),
@@ -188,15 +188,15 @@ std::span<const CodeInfo> file_codes() {
       clause(Code::kFormatCandidate, "{0} ({1})"),
 
       error(Code::kTooManyCameras, "too-many-cameras", "{0} cameras; fca-io reads at most {1} of one rig", "split the file"),
-      error(Code::kCameraInMainFile, kStatedTwice, "a camera {0} stands here and in the main file"),
-      error(Code::kImuInMainFile, kStatedTwice, "an IMU {0} stands here and in the main file, with other numbers"),
+      error(Code::kCameraInMainFile, kStatedTwice, "a camera {0} is here and in the main file"),
+      error(Code::kImuInMainFile, kStatedTwice, "an IMU {0} is here and in the main file, with other numbers"),
       // {0} and {1}: frames, {3}: the largest difference.
       warning(Code::kPoseInTwoFiles, kContradict,
-              "T_{0}_{1} is stated here and in {2}, and the two differ by up to {3:.3} in an element",
+              "T_{0}_{1} is given here and in {2}, and the two differ by up to {3:.3} in an element",
               "that of {4} is used; take out the one that is wrong"),
       warning(Code::kPoseContradictsOthers, kContradict,
-              "T_{0}_{1} as stated and as it follows from the other poses ({2}) differ by {3:.3} deg and {4}",
-              "one of them is wrong; stated poses are used before derived ones"),
+              "T_{0}_{1} as given and as it follows from the other poses ({2}) differ by {3:.3} deg and {4}",
+              "one of them is wrong; poses of the file are used before derived ones"),
       warning(Code::kPoseOfEachUnstated, "pose-unstated",
               "the files of {0} say the same place for each, as a camera's alone does: how they sit to each other is not "
               "known"),
@@ -226,7 +226,7 @@ std::span<const CodeInfo> file_codes() {
 
       bad_request(Code::kFormatIsReadOnly, "format-read-only", "fca-io reads {0}, and does not write it"),
       bad_request(Code::kFormatNeedsCamera, "no-camera", "{0}: this format needs a camera, and the input has none"),
-      error(Code::kFormatNeedsSize, "image-size-missing", "{0}: {1} and the input has no size", "state it"),
+      error(Code::kFormatNeedsSize, "image-size-missing", "{0}: {1} and the input has no size", "give it"),
       error(Code::kNotWrittenBecause, "not-written", "{0} cannot be written: {1}"),
 
       // {0}: a key.
@@ -236,10 +236,10 @@ std::span<const CodeInfo> file_codes() {
                   "change the input where it is a part of the calibration"),
       bad_request(Code::kSetUnknownKey, "set-unknown-key", "the file written has no value under '{0}'{1}"),
       clause(Code::kSetDidYouMean, "; did you mean {0:or}?"),
-      bad_request(Code::kSetLayout, "set-contradicts", "{0} is how the file states its calibration, which would be lost",
+      bad_request(Code::kSetLayout, "set-contradicts", "{0} is how the file gives its calibration, which would be lost",
                   "leave it"),
       bad_request(Code::kSetCalibration, "set-contradicts", "{0} is a part of the calibration, which says otherwise",
-                  "change the input; images of another size are asked for as such"),
+                  "change the input; ask for images of another size as such"),
       clause(Code::kWantsFiniteNumber, "a number that a double can hold"),
       clause(Code::kWantsWholeNumber, "a whole number"),
       clause(Code::kWantsNumber, "a number"),

@@ -16,8 +16,8 @@ std::span<const CodeInfo> rig_codes() {
               "{0}: images of {1} x {2} px are stretched to {3} x {4}: {5:.3} times as much in width as in height",
               "right if a program scales both sides for itself; else say what was cut off first"),
       bad_request(Code::kResizeImpossible, "resize-impossible", "there is no image of {0} x {1} px"),
-      error(Code::kImageSizeNotStated, "image-size-missing", "{0}: nothing states the size of the images that were calibrated",
-            "state it"),
+      error(Code::kImageSizeNotStated, "image-size-missing",
+            "{0}: no input contains the size of the images that were calibrated", "give it"),
       warning(Code::kLensCircleStretched, "lens-circle-stretched",
               "{0}: in images stretched along one side the lens circle is none; the whole image counts"),
   };

@@ -202,8 +202,8 @@ TEST(Into, WhatIsComposedAnewListsWhatGoes) {
   const TemporaryFolder folder;
   const std::string base = folder.write("base.yaml", read_file(testdata("formats/kalibr/good/opencv-header.yaml")) +
                                                          "\n  cam_overlaps: []\n  line_delay: 0.001\n");
-  const std::vector<std::string> words = {"convert", kTumvi,   "--camera", "cam0",   "--into",
-                                          base,      "--anew", "--resize", "512x512"};
+  const std::vector<std::string> words = {"convert", kTumvi,      "--camera", "cam0",   "--into",
+                                          base,      "--rewrite", "--resize", "512x512"};
   const Told run(words);
   EXPECT_EQ(run.code(), 0) << run.text();
   EXPECT_TRUE(run.lost("comments-dropped", base)) << run.text();

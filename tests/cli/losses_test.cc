@@ -32,9 +32,9 @@ TEST(Losses, HalfAPoseIsLostForWhatItLacks) {
   const std::string front = with_replaced(read_file(testdata("formats/woodscape/good/front.json")), "\"translation\"",
                                           "\"translation used in CARLA (CARLA reference)\"");
   const std::string carla = folder.write("FV.json", front);
-  for (const char* option : {"--anew", "--resize=640x483"}) {
+  for (const char* option : {"--rewrite", "--resize=640x483"}) {
     const Told run({"convert", carla, "--to", "woodscape", "-o", folder / "out.json", option, "--force"});
-    const bool anew = option == std::string("--anew");  // else it is kept
+    const bool anew = option == std::string("--rewrite");  // else it is kept
     // The reason is in golden/convert.txt.
     EXPECT_EQ(run.lost("not-carried", "extrinsic.quaternion"), anew) << run.text();
   }
@@ -42,7 +42,7 @@ TEST(Losses, HalfAPoseIsLostForWhatItLacks) {
 
 // What only a camera says that nobody asked for is not missed.
 TEST(Losses, ADeselectedCameraLosesNothing) {
-  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--anew"}}) {
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--rewrite"}}) {
     const TemporaryFolder folder;
     const std::string chain =
         folder.write("chain.yaml", with_replaced(read_file(kTumvi), "cam1:\n", "cam1:\n  line_delay: 0.00002\n"));

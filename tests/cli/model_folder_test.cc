@@ -129,7 +129,7 @@ TEST(ModelFolder, ABatchIsNoModel) {
   folder.write("a.txt", good("pinhole.txt"));
   folder.write("b.txt", good("opencv.txt"));
   const std::string out = (folder / "out") + "/";
-  EXPECT_EQ(run_program({"convert", folder / "a.txt", folder / "b.txt", "--anew", "--to", "colmap", "-o", out}).code, 0);
+  EXPECT_EQ(run_program({"convert", folder / "a.txt", folder / "b.txt", "--rewrite", "--to", "colmap", "-o", out}).code, 0);
   const auto files = files_in(out);
   EXPECT_EQ(files.size(), 2U);
   EXPECT_TRUE(files.contains("a.colmap.txt"));
@@ -141,7 +141,7 @@ TEST(ModelFolder, APatternGivesEachInputAFolder) {
   folder.write("a.txt", good("pinhole.txt"));
   folder.write("b.txt", good("opencv.txt"));
   const std::string out = folder / "out/{stem}/";
-  EXPECT_EQ(run_program({"convert", folder / "a.txt", folder / "b.txt", "--anew", "--to", "colmap", "-o", out}).code, 0);
+  EXPECT_EQ(run_program({"convert", folder / "a.txt", folder / "b.txt", "--rewrite", "--to", "colmap", "-o", out}).code, 0);
   for (const char* stem : {"a", "b"}) {
     const auto files = files_in(folder / ("out/" + std::string(stem)));
     EXPECT_EQ(files.size(), 3U) << stem;

@@ -87,7 +87,7 @@ TEST(Provenance, AnEditReplacesWhatStandsThere) {
     EXPECT_FALSE(contains(edited.out, "tumvi.yaml")) << edited.out;
     EXPECT_TRUE(contains(edited.out, name + ", SHA-256")) << edited.out;
     // The parameters are not those of the input's images any more.
-    const RunResult unchanged = run_program({"convert", path, "--to", format, "--provenance", "--anew"});
+    const RunResult unchanged = run_program({"convert", path, "--to", format, "--provenance", "--rewrite"});
     EXPECT_NE(said_of("cam0", edited.out), said_of("cam0", unchanged.out));
     EXPECT_EQ(edited.out.find("SHA-256"), edited.out.rfind("SHA-256"));
     const RunResult without = run_program({"convert", path, "--to", format, "--no-provenance"});
@@ -114,7 +114,7 @@ TEST(Provenance, EverySyntaxIsReadAsWithoutIt) {
     std::string said;
     const auto written = [&](const char* option) {
       const std::string path = folder / syntax.file;
-      const RunResult run = run_program({"convert", kTumvi, "--camera", "0", "--to", syntax.format, "--anew", "--max-angle",
+      const RunResult run = run_program({"convert", kTumvi, "--camera", "0", "--to", syntax.format, "--rewrite", "--max-angle",
                                          "60", "-o", path, "--force", option});
       EXPECT_EQ(run.code, 0) << syntax.format << run.err;  // proven by the program that reads it
       if (std::string(option) == "--provenance") said = run.err;
@@ -186,8 +186,8 @@ TEST(Provenance, EveryProgramReadsPastAnyName) {
                                Target{"kalibr", "c.yaml"}, Target{"orbslam3", "s.yaml"}, Target{"ocamcalib", "o.txt"},
                                Target{"woodscape", "w.json"}, Target{"tumvi", "t.yaml"}, Target{"tumvi", "t.txt"}}) {
     const std::string path = folder / target.file;
-    const Told run(
-        {"convert", input, "--camera", "0", "--to", target.format, "--anew", "--provenance", "--max-angle", "60", "-o", path});
+    const Told run({"convert", input, "--camera", "0", "--to", target.format, "--rewrite", "--provenance", "--max-angle", "60",
+                    "-o", path});
     EXPECT_EQ(run.code(), 0) << target.file << run.text();
     EXPECT_TRUE(run.loads()) << target.file << run.text();
     const std::string bytes = read_file(path);

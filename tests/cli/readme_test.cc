@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the documents show is what the program prints: every command "$ fca-io ..." is run, that of a recipe
-// (examples/*/README.md) in the recipe's folder, that of another document beside the files of examples/. "$ echo $?" is the
+// (examples/*/README.md) in the recipe's folder, that of another document next to the files of examples/. "$ echo $?" is the
 // exit code of the command before it. A line "..." stands for any number of lines. Numbers may differ in their last digits,
 // from machine to machine.
 #include "cli/run_program.h"
@@ -100,21 +100,27 @@ void expect_shown(const std::vector<Example>& examples, const fs::path& folder) 
 
 /// Each with the number of its examples, at least.
 struct Document {
-  const char* path;
+  std::string path;
   std::size_t examples;
 };
 
+/// Documents with examples but for the recipes: pages of programs (formats/programs) have one or more each.
+std::vector<Document> documents_with_examples() {
+  std::vector<Document> documents = {{"README.md", 5}, {"cli/README.md", 30}, {"lib/convert/paper.md", 1}};
+  const fs::path root = fs::path(FCA_EXAMPLES_DIR).parent_path();
+  for (const fs::directory_entry& entry : fs::directory_iterator(root / "formats/programs"))
+    documents.push_back({fs::relative(entry.path(), root).string(), entry.path().filename() == "README.md" ? 0U : 1U});
+  return documents;
+}
+
 class Documents : public testing::TestWithParam<Document> {};
 
-INSTANTIATE_TEST_SUITE_P(All, Documents,
-                         testing::Values(Document{"README.md", 5}, Document{"cli/README.md", 30},
-                                         Document{"lib/convert/paper.md", 1}),
-                         [](const auto& document) {
-                           std::string name = document.param.path;
-                           std::ranges::replace_if(
-                               name, [](char c) { return c == '/' || c == '.'; }, '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(All, Documents, testing::ValuesIn(documents_with_examples()), [](const auto& document) {
+  std::string name = document.param.path;
+  std::ranges::replace_if(
+      name, [](char c) { return c == '/' || c == '.' || c == '-'; }, '_');
+  return name;
+});
 
 TEST_P(Documents, ShowWhatTheProgramPrints) {
   const fs::path root = fs::path(FCA_EXAMPLES_DIR).parent_path();
@@ -157,13 +163,29 @@ TEST_P(Recipes, ShowWhatTheProgramPrints) {
 
 // Inputs that a recipe is not about to find fault with are ready.
 TEST_P(Recipes, HaveInputsThatAreReady) {
-  // A table of rays is not looked for in folders.
+  // A table of rays is not looked for in folders; programs are no calibrations.
   if (GetParam() == "check-a-file" || GetParam() == "cpp" || GetParam() == "measured-rays") return;
   const fs::path folder = fs::path(FCA_EXAMPLES_DIR) / GetParam();
   const RunResult run = run_program({"check", "--fail-on", "warning", folder.string()});
   // 2: no calibration is there, since the input is another folder's.
   const bool has_inputs = std::distance(fs::directory_iterator(folder), fs::directory_iterator()) > 1;  // beside README.md
   EXPECT_EQ(run.code, has_inputs ? 0 : 2) << run.out << run.err;
+}
+
+// The C++ that a recipe shows is that of the programs next to it, which tests/package builds and runs.
+TEST(RecipesList, ShowsProgramsThatAreBuilt) {
+  const fs::path folder = fs::path(FCA_EXAMPLES_DIR) / "cpp";
+  const std::string readme = read_file(folder / "README.md");
+  const std::string programs = read_file(folder / "settings.cc") + read_file(folder / "main.cc");
+  const std::string fence = "```cpp\n";
+  int shown = 0;
+  for (std::size_t at = readme.find(fence); at != std::string::npos; at = readme.find(fence, at)) {
+    at += fence.size();
+    const std::string code = readme.substr(at, readme.find("```", at) - at);
+    EXPECT_TRUE(contains(programs, code)) << code;
+    ++shown;
+  }
+  EXPECT_EQ(shown, 2);
 }
 
 TEST(RecipesList, HasEveryRecipe) {
@@ -179,49 +201,6 @@ TEST(Documents, HaveTheTablesOfTheRegistry) {
     const RunResult run = run_program({"formats", table});
     EXPECT_TRUE(contains(read_file(root / path), run.out)) << "fca-io formats " << table << " prints\n" << run.out;
   }
-}
-
-/// The targets of links, "[text](target)", that are no addresses.
-std::vector<std::string> links_in(const std::string& text) {
-  std::vector<std::string> links;
-  for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
-    std::string link = text.substr(at + 2, text.find(')', at) - at - 2);
-    if (link.find("://") == std::string::npos && !link.starts_with('#')) links.push_back(link.substr(0, link.find('#')));
-  }
-  return links;
-}
-
-/// Every document of the repository: *.md where git's files are.
-std::vector<fs::path> documents() {
-  const fs::path root = fs::path(FCA_EXAMPLES_DIR).parent_path();
-  std::vector<fs::path> paths;
-  for (const fs::directory_entry& entry : fs::directory_iterator(root)) {
-    if (entry.path().extension() == ".md") paths.push_back(entry.path());
-  }
-  for (const char* folder : {"cli", "examples", "formats", "lib", "tests"}) {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
-      if (entry.path().extension() == ".md") paths.push_back(entry.path());
-    }
-  }
-  return paths;
-}
-
-// Documents stand beside what they describe, and lead to each other.
-TEST(Documents, LeadToFilesThatAreThere) {
-  std::size_t links = 0;
-  for (const fs::path& path : documents()) {
-    for (const std::string& link : links_in(read_file(path))) {
-      ++links;
-      EXPECT_TRUE(fs::exists(path.parent_path() / link)) << path << " leads to " << link;
-    }
-  }
-  EXPECT_GT(links, 40U);
-}
-
-TEST(Documents, AreShortWhereReadersBegin) {
-  const fs::path root = fs::path(FCA_EXAMPLES_DIR).parent_path();
-  for (const char* path : {"README.md", "CONTRIBUTING.md"}) EXPECT_LE(lines_of(read_file(root / path)).size(), 150U) << path;
-  EXPECT_LE(fs::file_size(root / "examples/tumvi/page.png"), 150'000U);
 }
 
 }  // namespace

@@ -320,7 +320,7 @@ TEST(RigOptions, ARoundedRateIsSaidWithItsValue) {
 TEST(RigOptions, AKeyOfKalibrsOwnIsLostForTheTrueReason) {
   const TemporaryFolder folder;
   const std::string chain = folder.write("chain.yaml", chain_without_poses() + "  line_delay: 3.0e-05\n");
-  const Told run({"convert", chain, "--to", "kalibr", "--anew"});
+  const Told run({"convert", chain, "--to", "kalibr", "--rewrite"});
   EXPECT_EQ(run.code(), 0) << run.text();
   EXPECT_TRUE(run.lost("not-carried", "line_delay")) << run.text();
   // Not because the format has no place for it: that sentence is in golden/convert.txt.

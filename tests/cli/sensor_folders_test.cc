@@ -90,7 +90,7 @@ TEST(SensorFolders, WhatKimerasImuFileStatesIsNotLostInSilence) {
   const std::string line = imu.substr(at, imu.find('\n', at) - at);
   const std::string hostile =
       folder.write("ImuParams.yaml", with_replaced(imu, line, "imu_preintegration_type: \"1\\nimu_time_shift: 5.0\\nx: 1\""));
-  const RunResult fresh = run_program({"convert", hostile, "--to", "kimera", "--anew", "-o", "-"});
+  const RunResult fresh = run_program({"convert", hostile, "--to", "kimera", "--rewrite", "-o", "-"});
   EXPECT_FALSE(contains(fresh.out, "imu_time_shift: 5.0")) << fresh.out;
 }
 

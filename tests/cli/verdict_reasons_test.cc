@@ -61,7 +61,7 @@ TEST(VerdictReasons, WhatTheInputsOwnReaderWantsCountsForThatReaderAlone) {
   const Told kept({"convert", file, "--to", "ros"});
   EXPECT_EQ(kept.code(), 1) << kept.text();
   EXPECT_EQ(codes_of(kept).count("program-refuses"), 1U) << kept.text();
-  const Told anew({"convert", file, "--to", "ros", "--anew"});
+  const Told anew({"convert", file, "--to", "ros", "--rewrite"});
   EXPECT_EQ(word_of(anew), "ready") << anew.text();
 }
 
@@ -87,8 +87,8 @@ TEST(VerdictReasons, WhatOnlyAnotherProgramReadsNeedsThat) {
   const Told written({"convert", of_orbslam2, "--to", "orbslam3"});
   EXPECT_EQ(word_of(written), "do-not-use") << written.text();
   EXPECT_EQ(codes_of(written).count("needs-program"), 1U) << written.text();
-  EXPECT_TRUE(contains(verdict_in(written)["reasons"][0]["fix"].GetString(), "--anew")) << written.text();
-  const Told fresh({"convert", of_orbslam2, "--to", "orbslam3", "--anew"});
+  EXPECT_TRUE(contains(verdict_in(written)["reasons"][0]["fix"].GetString(), "--rewrite")) << written.text();
+  const Told fresh({"convert", of_orbslam2, "--to", "orbslam3", "--rewrite"});
   EXPECT_EQ(word_of(fresh), "ready") << fresh.text();
   EXPECT_EQ(word_of(Told({"convert", of_orbslam2, "--to", "orbslam3", "--accept", "needs-program"})), "use-with-care");
   const Told asked({"convert", of_orbslam2, "--to", "orbslam2"});
@@ -213,7 +213,7 @@ TEST(VerdictReasons, OnlyAnEquidistantLensHasCuvslamsOtherName) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string() + "/";
   const std::string euroc = testdata("formats/euroc/good/cam0.yaml");
-  const Told written({"convert", euroc, "--to", "cuvslam", "--anew", "-o", out});
+  const Told written({"convert", euroc, "--to", "cuvslam", "--rewrite", "-o", out});
   EXPECT_EQ(word_of(written), "ready") << written.text();
   EXPECT_TRUE(fs::exists(out + "mav0/cam0/sensor.yaml"));
 }

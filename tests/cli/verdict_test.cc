@@ -303,7 +303,8 @@ TEST(VerdictFirst, AFileThatItsOwnProgramRefusesIsNotWrittenAgain) {
   const auto& reason = run.json()["verdict"]["reasons"][0];
   EXPECT_STREQ(reason["code"].GetString(), "program-refuses");
   EXPECT_GT(reason["fix"].GetStringLength(), 0U) << run.text();
-  EXPECT_EQ(run_program({"convert", chain, "--to", "kalibr", "--anew"}).code, 0);
+  EXPECT_EQ(run_program({"convert", chain, "--to", "kalibr", "--rewrite"}).code, 0);
+  EXPECT_EQ(run_program({"convert", chain, "--to", "kalibr", "--anew"}).code, 0) << "the older name";
 }
 
 TEST(VerdictFirst, OnStandardOutputNothingComesOfARefusedFile) {
@@ -444,8 +445,8 @@ TEST(VerdictFirst, AFreshFileIsOfferedWhereTheTextIsNotToBeUsed) {
             0);
   const Told kept({"convert", settings, "--to", "orbslam3"});
   EXPECT_EQ(kept.code(), 1) << kept.text();
-  EXPECT_TRUE(contains(kept.text(), "--anew")) << kept.text();
-  EXPECT_EQ(Told({"convert", settings, "--to", "orbslam3", "--anew"}).code(), 0);
+  EXPECT_TRUE(contains(kept.text(), "--rewrite")) << kept.text();
+  EXPECT_EQ(Told({"convert", settings, "--to", "orbslam3", "--rewrite"}).code(), 0);
 }
 
 TEST(VerdictFirst, QuietSaysWhyAFileIsNotWritten) {

@@ -21,7 +21,7 @@ std::string preview_text(const ConvertResult& outcome) {
                      "  ");
   }
   const bool rewrite = outcome.from == outcome.to;
-  const std::string how = rewrite ? "converted (--to " + std::string(outcome.to->id) + " --anew): " : "converted: ";
+  const std::string how = rewrite ? "converted (--to " + std::string(outcome.to->id) + " --rewrite): " : "converted: ";
   return paragraph(how + std::string(in_words(outcome.verdict.word)) + "; " + text::text_of(outcome.headline, with_options),
                    "  ") +
          summary_lines(outcome, false);

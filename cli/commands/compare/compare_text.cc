@@ -34,7 +34,7 @@ namespace {
 std::string heading(const CameraComparison& camera) {
   std::string text = "\npixels of " + names_of(camera) + ", in an image of " + size_in_words(camera.size) + " px";
   if (camera.size_assumed)
-    text += " assumed: no file states a size (--size does); the principal point lies in the middle of it";
+    text += " assumed: no file contains a size (--size does); the principal point lies in the middle of it";
   return text + "\n";
 }
 
@@ -109,7 +109,7 @@ std::string compare_text(const ReferenceFile& reference, const ComparedFile& com
   const RigComparison& comparison = *compared.comparison;
   const std::string reference_name = text::printable(reference.file);
   const std::string name = text::printable(compared.file);
-  std::string text = name + " (" + title_of(*compared.calibration) + ") beside " + reference_name + " (" +
+  std::string text = name + " (" + title_of(*compared.calibration) + ") next to " + reference_name + " (" +
                      title_of(*reference.calibration) + ")\n";
   text += numbers_text(comparison);
   for (const CameraComparison& camera : comparison.cameras) text += camera_text(camera, with_bands);

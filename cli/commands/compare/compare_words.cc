@@ -183,7 +183,7 @@ std::string verdict_of(const ComparedFile& compared) {
   } else if (comparison.identical()) {
     if (inverse) return "the same directions, but " + of_inverse;
     const bool all = comparison.only_in_reference.empty() && comparison.only_in_other.empty();
-    return all ? "the same" : "the same in all that both state";
+    return all ? "the same" : "the same in all that both contain";
   } else {
     parts = parts_of(compared, of_inverse);
   }

@@ -182,7 +182,7 @@ std::string verdict_of(const ProofResult& proof, const ConvertResult& outcome) {
   if (proof.all_misread) return "loads it and misreads it";
   if (proof.without_cameras) return "loads it";
   if (proof.agrees() && proof.compared_share == 0.0)
-    return "loads it; no pixels were compared, as nothing states the image's size (--size WxH)";
+    return "loads it; no pixels were compared, as no input contains the image's size (--size WxH)";
   return "loads it; its pixels" + (proof.misread_px > 0.0 ? " of " + enumerated(rightly_read(proof)) : "") +
          " differ from the model above by at most " + pixels(proof.max_diff_px) + " px" +
          (proof.compared_share < 1.0 - kAll ? " over " + percent(proof.compared_share) + " of the image" : "");

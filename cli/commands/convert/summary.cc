@@ -125,7 +125,7 @@ void add_settings(const ConvertResult& outcome, std::vector<SummaryLine>& lines)
   said.reserve(settings.size());
   for (const Setting& setting : settings)
     said.push_back((setting.cameras.empty() ? "" : enumerated(setting.cameras) + " ") + setting.text);
-  if (!said.empty()) lines.push_back({"set", enumerated(said) + ": no input states it"});
+  if (!said.empty()) lines.push_back({"set", enumerated(said) + ": no input contains it"});
 }
 
 void add_left_out(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {

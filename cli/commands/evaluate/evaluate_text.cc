@@ -178,7 +178,8 @@ std::string sign_error_in_words(const EvaluatedPolynomials& polynomials) {
          ", rays bend the wrong way, samples beyond r = gamma fall away, and a fit to the rest gives the paper's polynomial, "
          "which has no pixel for most rays (without) and wrong ones for the others. RMSE does not show it: a0 is nearly all of "
          "it. libPeR's a2 is printed with two digits, which alone leave some 3 px open at 90 deg: they are too few to "
-         "judge its pixels. Degree 2 is short for this lens, so that a0 depends on how far it is to reach; degree 4 is enough.";
+         "evaluate its pixels. Degree 2 is short for this lens, so that a0 depends on how far it is to reach; degree 4 is "
+         "enough.";
 }
 
 std::string evaluate_text(const EvaluateResult& evaluation) {

@@ -89,7 +89,8 @@ ExitCode run_report(const ReportArguments& arguments, const TypedOptions& typed,
 
 void add_report_command(Application& application) {
   application.add<ReportArguments>(
-      "report", "A page to look at: what a file says, the rig drawn, and what converting it costs, as curves and error maps",
+      "report",
+      "A page to look at: what a file contains, the rig drawn, and what converting it costs, as curves and error maps",
       &add_report_options, &run_report);
 }
 

@@ -60,7 +60,7 @@ std::string model_text(const Camera& camera, double limit_deg) {
     if (view.largest_from_axis)
       text += "           up to " + angle_in_words(*view.largest_from_axis * kDegreesPerRadian) + "\n";
   } else {
-    text += "  image    size not stated (--size WxH)\n";
+    text += "  image    size not given (--size WxH)\n";
   }
   text += "  model    " +
           (validate(camera.model).empty() ? "valid up to " + angle_in_words(max_angle(camera.model) * kDegreesPerRadian)
@@ -85,7 +85,7 @@ std::string camera_text(const Camera& camera, std::span<const ExtraField> extras
 std::string noise_line(std::string_view name, const std::optional<double>& density, std::string_view unit,
                        const std::optional<double>& per_sample, std::string_view sample_unit) {
   std::string text = "  " + padded(name, 26);
-  if (!density) return text + "not stated\n";
+  if (!density) return text + "not given\n";
   text += text::format_short(*density) + " " + std::string(unit);
   if (per_sample) text += " (" + text::format_short(*per_sample, 3) + " " + std::string(sample_unit) + " per sample)";
   return text + "\n";
@@ -107,7 +107,7 @@ std::string imu_text(const Imu& imu) {
                     white(i.accelerometer_noise_density), "m/s^2") +
          noise_line("accelerometer random walk", i.accelerometer_random_walk, "m/s^3/sqrt(Hz)",
                     walk(i.accelerometer_random_walk), "m/s^2") +
-         "  " + padded("rate", 26) + (imu.rate_hz ? text::format_short(*imu.rate_hz) + " Hz" : "not stated") + "\n" +
+         "  " + padded("rate", 26) + (imu.rate_hz ? text::format_short(*imu.rate_hz) + " Hz" : "not given") + "\n" +
          (imu.topic.empty() ? "" : "  " + padded("topic", 26) + imu.topic + "\n");
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is taken for granted because no file of a format says it.
+// Assumptions about facts that the files of a format never contain.
 #pragma once
 
 #include <fca/formats/calibration.h>
 
 namespace fca {
 
-/// OpenCV's T is in the unit of the calibration board, which no file states: where such a pose goes into another format, that
-/// it is in metres is an assumption to look at.
+/// The translation T of OpenCV's stereo files is in the unit of the calibration board, and no file contains that unit. If such
+/// a pose is written to another format, adds to written.defaults that metres were assumed, for the user to look at.
 void list_assumed_units(const Calibration& calibration, const Format& to, Written& written);
 
 }  // namespace fca

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The other layouts in which a program reads a file: it may understand one of them better.
+// After a file was written and proven: other ways to write the same calibration, of which the program may misread less. Each is
+// written and proven, too, and the best becomes the result.
 #pragma once
 
 #include "start.h"
 
 namespace fca {
 
-/// How far, in pixels rms, the program that the files are written for understands the worst camera; 0 where nothing is known.
+/// The distance in pixels (rms over the image) between the converted camera and the one that the target program sees in the
+/// file, of the camera with the largest; 0 where no program was asked.
 [[nodiscard]] double worst_rms_px(const ConvertResult& result);
-/// At the worst pixel of all.
+/// The same distance at the worst pixel of all cameras.
 [[nodiscard]] double worst_max_px(const ConvertResult& result);
 
 /// Where the program misreads a camera, writes the other layouts, too, each in the cameras' own models or, where it does not

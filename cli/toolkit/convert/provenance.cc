@@ -80,7 +80,7 @@ std::vector<std::string> lines_for(const Written::File& file, const ConvertReque
     const text::Source& source = document.source();
     lines.push_back("  " + name_among(calibration.documents, document) + std::string(kHash) + sha256(source.bytes));
   }
-  // What the base said of itself goes; what it was does not.
+  // The comment that the base had is replaced; its name and hash stay in the new one.
   if (!request.into.empty()) {
     const std::string name = std::filesystem::path(request.into).filename().string();
     lines.push_back("  into " + name + std::string(kHash) + sha256(file.document.source().bytes));
@@ -105,9 +105,9 @@ void add_provenance(const ConvertRequest& request, const Calibration& calibratio
   const bool in_all = request.provenance == ProvenanceComment::kInAllFiles;
   const bool in_none = request.provenance == ProvenanceComment::kNone;
   for (Written::File& file : written.files) {
-    if (file.of_defaults && file.programs.empty()) continue;  // it only stands there
+    if (file.of_defaults && file.programs.empty()) continue;  // a file of defaults that no program reads
     const bool of_base = !request.into.empty() || is_input(file.document, calibration);
-    // What it said of the file as it was does not hold for one that is edited.
+    // An old comment of ours describes the file before this edit: it is no longer true.
     const bool outdated = of_base && (file.document.edited() || in_none);
     const bool replaces = outdated && text::remove_top_comment(file.document, is_ours);
     if (in_none || (of_base && !in_all && !replaces)) continue;

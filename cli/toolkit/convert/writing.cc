@@ -38,7 +38,7 @@ Rig converted_rig(const Calibration& calibration, const std::vector<ConvertedCam
   return rig;
 }
 
-/// The rig with the poses that the files say otherwise.
+/// The rig that a proof has to find in the files: `rig`, with the poses that were written with other values on purpose.
 Rig as_restated(Rig rig, const Written& written) {
   for (const PoseEdge& edge : written.restated) {
     const auto stated =
@@ -52,7 +52,8 @@ Rig as_restated(Rig rig, const Written& written) {
   return rig;
 }
 
-/// What the same fits would reach if the lens ended earlier, where nothing says where it ends.
+/// Adds to each fitted camera's report the table of smaller angles: how good the fit would be if the lens ended earlier. Only
+/// of lenses whose angle no input gives.
 void add_reach(const Format& to, const ModelChoice& choice, std::vector<ConvertedCamera>& cameras) {
   parallel_for(cameras.size(), choice.request.jobs, [&](std::size_t i) {
     ConvertedCamera& camera = cameras[i];
@@ -63,7 +64,7 @@ void add_reach(const Format& to, const ModelChoice& choice, std::vector<Converte
   });
 }
 
-/// Of joined files the one that an output is an edit of; null if it is none.
+/// The input document that an output was edited from, found by equal original bytes; null if the output is a fresh file.
 const text::Document* input_of(const ConvertedFile& output, const Written& written, const Calibration& calibration) {
   const auto file = std::ranges::find(written.files, output.cameras, &Written::File::cameras);
   if (file == written.files.end()) return nullptr;
@@ -83,7 +84,8 @@ std::vector<std::string> taken_by(const consumers::Consumer& program, const Form
   return models;
 }
 
-/// The program in front of the others that are meant to read the files with cameras, with the headline to say so.
+/// Makes `program` the first of those that read the files with cameras (the one that the proof asks first), gives the files the
+/// names by which it reads their lens, and names it in the headline.
 void put_first(const consumers::Consumer& program, const Rig& rig, Written& written) {
   bool is_new = false;
   for (Written::File& file : written.files) {
@@ -101,7 +103,7 @@ void put_first(const consumers::Consumer& program, const Rig& rig, Written& writ
   if (is_new || goes_by_name) written.headline = {Code::kHeadlineAsRead, {written.headline, program.program}};
 }
 
-/// Step by step: each of them is false where there are errors.
+/// The steps of a conversion from the request to proven files. Each step returns false after an error.
 class Writing {
  public:
   Writing(const ConvertRequest& request, const Start& start, ModelChoice choice, ConvertResult& result)
@@ -120,14 +122,15 @@ class Writing {
   }
 
  private:
-  /// Into the result's cameras.
+  /// Fits every camera's model for the target; fills result_.cameras.
   [[nodiscard]] bool fit();
-  /// Into rig_: the cameras that were fitted, in the rig of the input, or of the base.
+  /// Fills rig_: the fitted cameras in the rig of the input or, with --into, of the base.
   [[nodiscard]] bool put_together();
-  /// Into written_.
+  /// Fills written_: the format's files and what the user must know of them.
   [[nodiscard]] bool write();
-  /// What was written, into the result; its files where they go.
+  /// Takes written_ over into result_ and gives each file its path.
   [[nodiscard]] bool place();
+  /// Asks the programs' readers about each file.
   void prove();
 
   const ConvertRequest& request_;
@@ -182,7 +185,7 @@ bool Writing::write() {
   if (into_) list_facts_of_other_lenses(into_->rig, rig_, to, *written, result_.diagnostics);
   written_ = *std::move(written);
   name_as_written(to, written_, result_.cameras);
-  // Before the settings: what those make of a file is no edit of the input any more.
+  // Before --set is applied: afterwards the bytes no longer show what was edited of the input.
   add_provenance(request_, input_, written_, result_);
   if (!apply_settings(request_, to, written_, result_.diagnostics)) return false;
   warn_of_wrong_side(rig_, request_, written_.first_is_left, result_);
@@ -200,7 +203,7 @@ bool Writing::place() {
                              file.programs, file.named, file.place, file.of_defaults});
   }
   if (!place_files(request_, result_)) return false;
-  // Cameras that no file holds are listed as lost; their fits are nobody's business.
+  // Cameras that no file holds are among the losses already. Their fits are not reported.
   std::erase_if(result_.cameras, [this](const ConvertedCamera& camera) {
     return std::ranges::none_of(result_.files, [&camera](const ConvertedFile& file) {
       return std::ranges::find(file.cameras, camera.source.name) != file.cameras.end();

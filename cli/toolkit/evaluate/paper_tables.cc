@@ -28,8 +28,8 @@ struct OccParameters {
   std::array<double, kTerms> a{};
 };
 
-// The toolbox's form acts on (row, column), so that its c is the inverse of the paper's, and its radius the paper's times the
-// paper's c. 0 - x, as no coefficient is to be -0.
+// The toolbox's form acts on (row, column) in place of (u, v). So its c is the inverse of the paper's c, and its radius is the
+// paper's radius times the paper's c. Signs change by 0 - x and not by -x, so that no coefficient is -0.
 Intrinsics<Ocamcalib> toolbox_form(const OccParameters& occ) {
   CameraModel model = Intrinsics<Ocamcalib>{};
   set_parameter(model, "cx", occ.cx);
@@ -58,7 +58,7 @@ OccParameters paper_form(const CameraModel& model) {
 constexpr std::string_view kNearTheOptimum =
     "near the optimum of these samples; the mean over all pixels is higher because cell centres leave out the border";
 constexpr std::string_view kFewSamples =
-    "an operator-precedence slip in the authors' EUCM unprojection keeps 141 of 504 samples, those near the axis: their fit "
+    "an operator-precedence mistake in the authors' EUCM unprojection keeps 141 of 504 samples, those near the axis: their fit "
     "and "
     "their RE see nothing else";
 constexpr std::string_view kFewSamplesAndFactor =
@@ -115,13 +115,14 @@ ConversionTable ocamcalib_table() {
       "the authors' program drops what lies 90 deg or more from the axis, holds c = 1 and d = e = 0, frees a1, and minimises "
       "an "
       "algebraic residual";
-  constexpr std::string_view kFewest = "the EUCM slip keeps 66 of 504 samples; the small RE and PE are theirs, not the image's";
+  constexpr std::string_view kFewest =
+      "the EUCM mistake keeps 66 of 504 samples; the small RE and PE are theirs, not the image's";
   table.rows = {{kKb, kOcc, 4, 0.1777, 2.181, 38.3962, 0.8227, std::nullopt, kAhead},
                 {kUcm, kOcc, 5, 0.9480, 13.7598, 31.9255, 0.8035, std::nullopt, kAhead},
                 {kEucm, kOcc, 3, 0.0468, 0.3695, 33.0033, 0.9244, std::nullopt, kFewest},
                 {kDs, kOcc, 4, 0.1546, 2.7296, 34.7245, 0.8246, std::nullopt, kAhead}};
   table.remark =
-      "The authors' program does not reproduce this table, so that there is nothing to judge over the image beside it. A "
+      "The authors' program does not reproduce this table, so that nothing can be measured over the image next to it. A "
       "source "
       "is the camera as that model describes it, its own fit's error away from it: PE says how far, RE does not.";
   return table;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// `fca-io evaluate --image`: the image as each converted camera would have taken it, compared with the image itself (PSNR,
+// SSIM).
 #pragma once
 
 #include <fca/toolkit/evaluate.h>
@@ -7,8 +9,8 @@
 
 namespace fca {
 
-/// Adds what EvaluateRequest::image_path asks for. False with an error where there is no such image, or none of that size among
-/// the tables.
+/// Fills EvaluatedRow::recovered in those tables of `evaluation` whose published images have the size of the image at `path`.
+/// False, with an error, where the image cannot be read, or where no table has that size.
 [[nodiscard]] bool add_recovered_images(const std::string& path, Files& files, EvaluateResult& evaluation);
 
 }  // namespace fca

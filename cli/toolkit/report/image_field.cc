@@ -120,7 +120,7 @@ std::vector<RadiusPoint> radius_curve(const CameraModel& model, double to_rad) {
       sum += std::hypot((*pixel)[0] - centre[0], (*pixel)[1] - centre[1]);
       ++count;
     }
-    // Where only some directions still have a pixel, a mean would jump.
+    // The curve ends where the first azimuth has no pixel any more: a mean over fewer azimuths would jump.
     if (count < kAround || !std::isfinite(sum)) break;
     curve.push_back({angle * kDegreesPerRadian, sum / count});
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A model's polar form over a strip of angles as polynomials in doubles, with what they leave out.
+// A model's polar form (polar.h) over a strip of angles: polynomials with plain doubles as coefficients, and rigorous bounds of
+// how far the pixel can be from them.
 #pragma once
 
 #include "polar.h"
@@ -12,14 +13,15 @@ namespace fca::internal {
 
 using Polynomial = std::array<double, kOrder>;
 
-/// A pixel as a function of the angle, t from the centre of a strip, and the azimuth: polynomials in t, exact as they stand
-/// here, and how far each component can be from them anywhere in the strip.
+/// A pixel as a function of the angle and the azimuth, over a strip of angles: for each component and harmonic of the azimuth a
+/// polynomial in t, the angle [rad] from the strip's centre; and how far each component, in pixels, can be from their sum
+/// anywhere in the strip.
 template <std::size_t N>
 struct Field {
   std::array<std::array<Polynomial, N>, 2> of{};
   /// Of each polynomial, a bound of its third derivative in the strip.
   std::array<std::array<double, N>, 2> third{};
-  std::array<std::array<std::size_t, N>, 2> terms{};  ///< Of each polynomial; 0: it is 0.
+  std::array<std::array<std::size_t, N>, 2> terms{};  ///< Coefficients of each polynomial up to the last that is not 0.
   std::array<double, 2> remainder{};
   double truncation = 0.0;  ///< The part of the remainder that a narrower strip makes smaller; the rest is rounding.
 };
@@ -31,8 +33,10 @@ inline std::size_t terms_of(const Polynomial& polynomial) {
   return terms;
 }
 
-/// Taylor polynomials from the series at the centre, their remainders from the series over the whole strip (of which the
-/// lowest coefficient is a plain enclosure: all there is where the remainder is infinite).
+/// `centre`: the Taylor series at the strip's centre, whose coefficients become the polynomials. `strip`: the series with the
+/// whole strip as its centre (a ball); its last coefficient gives Lagrange's remainder, and its first one encloses the function
+/// over the strip. Where the remainder is infinite or larger than that enclosure, the polynomial is a constant and the
+/// enclosure its error.
 template <std::size_t N>
 Field<N> field_of(const PolarSeriesOf<N>& centre, const PolarSeriesOf<N>& strip, double half) {
   Field<N> field;

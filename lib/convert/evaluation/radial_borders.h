@@ -19,28 +19,29 @@ struct LineSpan {
   [[nodiscard]] bool holds(double place) const { return place >= begin && place <= end; }
 };
 
-/// A line as it runs past a centre, in the plane in which borders are circles.
+/// A line in the plane in which borders are circles about a centre: which part of it a circle holds.
 class LinePast {
  public:
-  /// start: from the centre to the line's begin; way: from there to its end.
+  /// start: vector from the centre to the line's begin; way: vector from its begin to its end.
   LinePast(const std::array<double, 2>& start, const std::array<double, 2>& way);
   [[nodiscard]] LineSpan inside(double radius) const;
 
  private:
-  double inverse_square_;  ///< Of the way's length.
-  double nearest_;         ///< Where the line is nearest to the centre,
-  double across_;          ///< and how far from it then, squared, in lengths of the way.
+  double inverse_square_;  ///< 1 / |way|^2
+  double nearest_;         ///< The place on the line, 0 to 1 from begin to end, that is nearest to the centre.
+  double across_;          ///< The squared distance of that place from the centre, in units of |way|^2.
 };
 
-/// Where the pixels of certain angles from the axis lie: on ellipses around the centre, all alike, for every model of the list
-/// but with tangential distortion. Where a line crosses them needs no search.
+/// The curves on which the pixels of given angles from the axis lie. Without tangential distortion they are ellipses about the
+/// principal point with the same axes' ratio, so that a linear map makes circles of them, and where a line crosses them has a
+/// closed form.
 class RadialBorders {
  public:
-  /// Nothing if that is not so of the source. Of angles [rad] beyond its last the border is that of the last.
+  /// Nothing if the source's curves are no such ellipses. For angles [rad] beyond the source's largest, its largest is taken.
   [[nodiscard]] static std::optional<RadialBorders> of(const Lens& source, std::span<const double> angles);
 
   [[nodiscard]] LinePast past(const Line& line) const;
-  /// One for each angle, to be asked for the part of a line inside.
+  /// The circles' radii, one for each angle: arguments of LinePast::inside().
   [[nodiscard]] std::span<const double> radii() const { return radii_; }
 
  private:

@@ -31,7 +31,8 @@ std::optional<Vector> solve_definite(const Matrix& A, const Vector& b) {
   return Vector(unit.cwiseProduct(solution));
 }
 
-/// Moment sums of one axis over its columns: the terms, then 1.
+/// The dot products of all pairs of one axis' columns: the model's terms, then ones (for cx or cy), times the roots of the
+/// weights.
 Matrix moments(std::span<const Column> columns) {
   const auto n = static_cast<Eigen::Index>(columns.size());
   Matrix result(n, n);
@@ -67,8 +68,8 @@ std::optional<AspectFit::Solution> AspectFit::solve(double aspect) {
   const Matrix moments_u = moments(of_u);
   const Matrix moments_v = moments(of_v);
 
-  // The columns of J for the terms and the centre, by their moments. Residuals are computed point by point in every round, so
-  // that rounding in the moments costs convergence, not accuracy.
+  // The matrix J^T J of the Gauss-Newton step at the unknowns x, from the dot products, which do not change from round to
+  // round. Residuals are computed point by point in every round: rounding in the dot products then costs rounds, not accuracy.
   const auto hessian_at = [&](const Vector& x) {
     const double a = x[n + 2];
     Matrix H = Matrix::Zero(n + 3, n + 3);
@@ -117,7 +118,7 @@ std::optional<AspectFit::Solution> AspectFit::solve(double aspect) {
     products(std::span(&r_u, 1), r_u, &cost_u);
     products(std::span(&r_v, 1), r_v, &cost_v);
     const double cost = cost_u + cost_v;
-    // Rounding may raise what is close to 0.
+    // It diverges if the cost grows by more than rounding does.
     constexpr double kExact = 1e-20;  // px^2
     if (!std::isfinite(cost) || (round > 1 && cost > previous * (1.0 + 1e-9) + kExact)) return std::nullopt;
     previous = cost;
@@ -131,7 +132,7 @@ std::optional<AspectFit::Solution> AspectFit::solve(double aspect) {
     gradient[n] = sums_u[n];
     gradient[n + 1] = sums_v[n];
     gradient[n + 2] = sums_v.head(n).dot(x.head(n));
-    // At first there are no coefficients, and nothing depends on the aspect ratio.
+    // In round 0 all coefficients are 0, so that no pixel depends on the aspect ratio: it is left as it is.
     const Matrix H = hessian_at(x);
     const Eigen::Index unknowns = round == 0 ? n + 2 : n + 3;
     const std::optional<Vector> step = solve_definite(H.topLeftCorner(unknowns, unknowns), gradient.head(unknowns));

@@ -9,7 +9,7 @@ namespace fca::internal {
 
 namespace {
 
-/// Residuals, those of u and v of each sample next to each other.
+/// The residuals in pixels, as a functor for Ceres' numeric derivatives: u and v of a sample follow each other.
 struct Residuals {
   const FitTarget& target;
   std::span<const Correspondence> samples;

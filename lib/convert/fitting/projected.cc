@@ -23,6 +23,8 @@ bool Projected::Coordinate::look_at(Linearised& linearised, std::size_t axis) {
   return solve();
 }
 
+/// The changes f, c of focal length and centre with the smallest sum of (residual + f focal + c centre)^2, by the 2 x 2 normal
+/// equations.
 bool Projected::Coordinate::solve() {
   const double largest = sum(focal(), focal()) * sum(centre(), centre());
   const double determinant = largest - sum(focal(), centre()) * sum(focal(), centre());
@@ -38,11 +40,15 @@ std::array<double, 2> Projected::Coordinate::solution(double of_focal, double of
   return {inverse_[0] * of_focal + inverse_[1] * of_centre, inverse_[1] * of_focal + inverse_[2] * of_centre};
 }
 
+/// The sum of squares that is left after solve()'s changes, from the sums alone.
 double Projected::Coordinate::cost() const {
   const double gain = change_[0] * sum(focal(), residual()) + change_[1] * sum(centre(), residual());
   return std::max(0.0, sum(residual(), residual()) + gain);
 }
 
+/// Gradient and Gauss-Newton matrix of the cost as a function of the shape alone: of each shape column the part that focal
+/// length and centre cannot make up for (Kaufman's approximation). A column is proportional to the focal length, which solve()
+/// changes by the factor `scale`.
 void Projected::Coordinate::add_to(double scale, const NormalEquations& sums) const {
   for (std::size_t i = 0; i < shape_; ++i) {
     sums.gradient[i] += scale * (sum(i, residual()) + change_[0] * sum(i, focal()) + change_[1] * sum(i, centre()));
@@ -53,7 +59,8 @@ void Projected::Coordinate::add_to(double scale, const NormalEquations& sums) co
 }
 
 bool Projected::suits(const FitTarget& target, const std::array<bool, kMostParameters>& fixed) {
-  // More of them lead through valleys of their own: mei and rational gain nothing.
+  // With more parameters of the shape the search for these is itself a narrow valley: mei and rational (5 and 8 parameters)
+  // were no faster.
   constexpr std::size_t kFew = 2;
   if (!target.focal_lengths_first() || !target.cheap_slopes()) return false;
   const auto count_free = [](std::span<const bool> held) { return static_cast<std::size_t>(std::ranges::count(held, false)); };
@@ -72,7 +79,8 @@ Projected::Projected(Linearised& linearised, const ParameterValues& start, const
   }
 }
 
-/// The solver asks for the slopes where it has just asked for the cost.
+/// Computes the sums at `values`, unless they are those of the last call: the solver asks for the derivatives at the point of
+/// which it has just asked the cost. False where a sample has no pixel.
 bool Projected::look_at(const ParameterValues& values) {
   if (at_ == values) return true;
   at_.reset();

@@ -36,18 +36,17 @@ class Projected {
   static constexpr std::size_t kLinear = 4;
   static constexpr std::size_t kMostShape = kMostParameters - kLinear;
 
-  /// One coordinate of all samples, u or v: sums of products of the columns of the shape, then of the focal length, the centre
-  /// and the residuals; and the changes of focal length and centre that are best there.
+  /// One image axis, u or v, of all samples. Its Jacobian's columns are those of the shape's parameters, then the focal
+  /// length's and the centre's; the residuals follow as a last column. It keeps the dot products of all pairs of columns, and
+  /// the changes of focal length and centre that make the residuals smallest.
   class Coordinate {
    public:
-    /// False if the samples do not tell the best changes.
+    /// False if the samples do not determine focal length and centre (all at one place).
     bool look_at(Linearised& linearised, std::size_t axis);
 
     [[nodiscard]] double focal_change() const { return change_[0]; }
     [[nodiscard]] double centre_change() const { return change_[1]; }
-    /// After the changes.
     [[nodiscard]] double cost() const;
-    /// After the changes; that of the focal length scales the shape's columns.
     void add_to(double scale, const NormalEquations& sums) const;
 
    private:
@@ -61,7 +60,7 @@ class Projected {
     [[nodiscard]] std::array<double, 2> solution(double of_focal, double of_centre) const;
 
     static constexpr std::size_t kOthers = 3;
-    std::size_t shape_ = 0;  ///< Columns of it.
+    std::size_t shape_ = 0;  ///< How many columns are of the shape.
     std::array<double, (kMostShape + kOthers) * (kMostShape + kOthers)> sums_;
     std::array<double, 3> inverse_{};  ///< Of the symmetric 2 x 2 matrix of the normal equations.
     std::array<double, 2> change_{};
@@ -76,7 +75,7 @@ class Projected {
   std::array<std::size_t, kMostParameters> indices_{};  ///< Theirs among all.
   std::array<double, kMostParameters> start_{};
   std::array<Coordinate, 2> coordinates_;
-  std::optional<ParameterValues> at_;  ///< Where the coordinates are those of.
+  std::optional<ParameterValues> at_;  ///< The parameters for which coordinates_ were computed.
 };
 
 }  // namespace fca::internal

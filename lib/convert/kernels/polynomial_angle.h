@@ -10,7 +10,10 @@
 
 namespace fca::internal {
 
-/// The angle of a radius that is angle (c[0] + c[1] x + ...), x = angle^kPower.
+/// Rays of a model whose image radius is a polynomial of the angle from the axis: radius = angle (c[0] + c[1] x + ...) with
+/// x = angle^kPower (kb4: 2, woodscape: 1). The angle comes from an interpolated start and two Newton steps, without a branch,
+/// so that the compiler makes SIMD of it. Where that is not accurate, the ray asks the caller to use the model itself
+/// (ask_unless). `lens`, `model`: angles [rad] at which the lens and the model end.
 template <std::size_t N, int kPower>
 class PolynomialAngle {
  public:

@@ -28,7 +28,7 @@ std::span<const CodeInfo> imu_codes() {
                "a cheap sensor's density made larger for SLAM, as people do, looks the same as a deviation at {3:.3} Hz, whose "
                "density would be {4:.3}"),
       question(Code::kImuNoiseOfUnknownRate, kTooLarge, "{0}: noise densities against discrete deviations",
-               "the file states no rate"),
+               "the file contains no rate"),
       warning(Code::kImuWalkAboveNoise, "imu-walk-above-noise",
               "{0}: the {1}'s random walk {2:.3} is larger than its noise density {3:.3}; real ones are ten times smaller and "
               "more",
@@ -40,10 +40,10 @@ std::span<const CodeInfo> imu_codes() {
       warning(Code::kImuRate, "imu-rate", "{0}: a rate of {1:.3} Hz is no IMU's", "it is in Hz (200.0), not a period"),
       warning(Code::kTimeOffsetLarge, kOffset, "{0}: a time offset of {1:.3} s is longer than a frame ({2:.3} s{3}){4}",
               "it is in seconds: t_imu = t_cam + offset; one as long as that should be taken out of the time stamps"),
-      warning(Code::kTimeOffsetOfUnknownRate, kOffset, " even at 10 Hz; the file states no rate"),
+      warning(Code::kTimeOffsetOfUnknownRate, kOffset, " even at 10 Hz; the file contains no rate"),
       warning(Code::kTimeOffsetOfMilliseconds, kOffset, "; are these milliseconds?"),
       question(Code::kTimeOffsetUndecided, kOffset, "{0}: whether a time offset of {1:.3} s is longer than a frame",
-               "the file states no frame rate"),
+               "the file contains no frame rate"),
   };
   return kRows;
 }

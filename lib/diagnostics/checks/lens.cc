@@ -50,14 +50,14 @@ std::span<const CodeInfo> lens_check_codes() {
           kOffAtTheBorder),
       with_consequence(
           warning(Code::kRadtanUnderEquidistant, kFamily,
-                  "{0}: k1 = {1:.4}, k2 = {2:.4} beside k3 and k4 of nearly 0 are a radial-tangential lens's k1 k2 p1 p2, not "
+                  "{0}: k1 = {1:.4}, k2 = {2:.4} next to k3 and k4 of nearly 0 are a radial-tangential lens's k1 k2 p1 p2, not "
                   "an equidistant one's",
                   "if so, name the model radtan (plumb_bob, PinHole)"),
           kOffAtTheBorder),
       with_consequence(
           warning(Code::kMeiUnderRadtan, kFamily,
                   "{0}: k2 = {2:.4} outweighs k1 = {1:.4} and pulls the corner outwards by {3:.3} %: no plain lens does; the "
-                  "numbers of a unified model (omni, MEI), which stand beside its xi, look so",
+                  "numbers of a unified model (omni, MEI), which are next to its xi, look so",
                   "if so, name that model and give its xi"),
           kOffAtTheBorder),
       warning(Code::kCoefficientRepeated, "coefficient-repeated", "{0}: {1} and {2} are the same number to the last digit, {3}",
@@ -80,7 +80,7 @@ std::span<const CodeInfo> lens_check_codes() {
       warning(Code::kFocalLengthsUnlike, "focal-lengths-differ", "{0}: the focal lengths {1} and {2} px differ by {3:.3} %",
               "right for pixels that are not square; else compare both with the calibration's result"),
       error(Code::kSizeToldDiffers, "size-contradicts", "{0} has {1} x {2} px in the file, and {3} x {4} was told",
-            "tell the size only of a file that states none"),
+            "give the size only for a file that contains none"),
       question(Code::kImageNotJudged, kFolds, "{0}: principal point, field of view and folding", "no image size in the file"),
       warning(Code::kFoldsInImage, kFolds, kNoRay,
               "calibrate with targets in the corners, or with a fisheye model; or do not use those pixels"),

@@ -45,7 +45,7 @@ std::span<const CodeInfo> basalt_codes() {
       loss(Code::kBasaltPoseRecomputed, "pose-recomputed", "pose of {0} in {2}",
            "its matrix is a rotation only to {3:.2}, and Basalt's quaternion says the nearest one",
            "nothing: the nearest rotation is meant"),
-      loss(Code::kBasaltStaleRadius, "stale-derived", "{0} {1}", "it is kept, and the lens beside it is another one",
+      loss(Code::kBasaltStaleRadius, "stale-derived", "{0} {1}", "it is kept, and the lens next to it is another one",
            "write where the new lens ends, or -1 for no limit"),
       loss(Code::kBasaltImuDropped, "imu-dropped", "{0} noise and rate", "Basalt has one IMU",
            "keep its file; a complete IMU can be written to one of Kalibr's"),

@@ -41,7 +41,7 @@ std::span<const CodeInfo> colmap_codes() {
       error(Code::kColmapModelNotRead, "unknown-model", "fca-io does not read cameras of COLMAP's model {0}: {1}",
             "calibrate with OPENCV, FULL_OPENCV or OPENCV_FISHEYE"),
       clause(Code::kColmapEquirectangular, "such an image shows all directions and has no lens"),
-      with_consequence(error(Code::kColmapParameterCount, "wrong-count", "{0} has {1} parameters, and {2} numbers stand here",
+      with_consequence(error(Code::kColmapParameterCount, "wrong-count", "{0} has {1} parameters, and the line has {2} numbers",
                              "they are  {3}"),
                        kStops),
       with_consequence(error(Code::kColmapEucmAlpha, "out-of-range", "alpha is {0}, and EUCM's lies from 0 to 1"),
@@ -52,7 +52,7 @@ std::span<const CodeInfo> colmap_codes() {
                            "more than one blank, or a tab, between two words: COLMAP 3.8 stops, and 4 reads it",
                            "one blank between two words")),
 
-      clause(Code::kColmapDemandsSize, "the line of a camera states its image size"),
+      clause(Code::kColmapDemandsSize, "the line of a camera contains its image size"),
       clause(Code::kColmapNoK3, "COLMAP's OPENCV has no k3"),
       clause(Code::kColmapNoPlace, "a cameras.txt has no place for it"),
       clause(Code::kColmapHeadline, "a cameras.txt for COLMAP"),
@@ -65,7 +65,7 @@ std::span<const CodeInfo> colmap_codes() {
                              "write  \"ref_sensor\": true  for the reference, and no ids of cameras"),
                        kNoRig),
       error(Code::kColmapNoFolder, "out-of-range", "image_prefix is no folder of images: '{0}'",
-            "the folder with a '/' behind it"),
+            "the folder with a '/' after it"),
       with_consequence(
           error(Code::kColmapPrefixTwice, "duplicate-key",
                 "a camera whose images are in a folder of that name stands above: {0}", "give each camera a folder"),
@@ -96,7 +96,7 @@ std::span<const CodeInfo> colmap_codes() {
       with_consequence(error(Code::kColmapNoRigLine, "wrong-count", "no line of the file is a rig", kRigLine), kStopsAtRig),
       with_consequence(error(Code::kColmapRigShort, "wrong-count", "the rig ends where {0} is wanted", kRigLine), kStopsAtRig),
       about_reader(warning(Code::kColmapRigBehind, "wrong-count",
-                           "{0} words behind the {1} sensors that NUM_SENSORS counts: COLMAP ignores them",
+                           "{0} words after the {1} sensors that NUM_SENSORS counts: COLMAP ignores them",
                            "count the sensors again")),
       with_consequence(
           error(Code::kColmapRigIdTwice, "duplicate-key", "a rig with RIG_ID {0} stands above", "give it another id"),

@@ -13,7 +13,7 @@ std::span<const CodeInfo> device_codes() {
       error(Code::kDeviceSizeNeeded, "size-needed", "the file has a lens for each size of images: {0:and}",
             "say the size of your images"),
       error(Code::kDeviceSizeUnknown, "size-contradicts", "the file has no lens for images of {0}, but for {1:and}",
-            "say the size at which the device recorded; say beside it to which size the images were scaled since"),
+            "say the size at which the device recorded, and to which size the images were scaled since"),
       warning(Code::kDeviceCameraOfOtherSize, "size-contradicts",
               "{0} is left out: it has no lens for images of {1}, but for {2:and}",
               "say a size that all have, if that is how the images were recorded"),

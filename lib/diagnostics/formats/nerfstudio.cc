@@ -56,14 +56,14 @@ std::span<const CodeInfo> nerf_codes() {
             "write w and h, in pixels"),
       with_consequence(error(Code::kNerfQuartic, "unknown-model", "k4 is {0}: of a lens that is no fisheye it multiplies r^8"),
                        kNoLens),
-      with_consequence(error(Code::kNerfTangential, "unknown-model", "{0} is {1} beside the coefficients of a fisheye"),
+      with_consequence(error(Code::kNerfTangential, "unknown-model", "{0} is {1} next to the coefficients of a fisheye"),
                        kNoLens),
 
       // Written.
       error(Code::kNerfKindsDiffer, "unknown-model",
             "{0} is a fisheye and {1} is none: a transforms.json has one camera_model for all cameras",
             "write one file for each, or choose one model"),
-      clause(Code::kNerfDemandsSize, "a transforms.json states the size of its images"),
+      clause(Code::kNerfDemandsSize, "a transforms.json contains the size of its images"),
       clause(Code::kNerfNoPlace, "a transforms.json has no place for it"),
       clause(Code::kNerfFramesToAdd, "of your images with their poses, in place of one for each camera"),
       clause(Code::kNerfTinyCoefficient, "{0}, not 0: instant-ngp takes a fisheye without coefficients for a pinhole"),

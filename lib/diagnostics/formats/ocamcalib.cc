@@ -11,7 +11,7 @@ std::span<const CodeInfo> ocamcalib_codes() {
   static constexpr std::array kRows = {
       // What speaks for the format.
       clause(Code::kCalibResultsDirectComment, "a comment on the direct mapping function"),
-      clause(Code::kCalibResultsBlocks, "five blocks of numbers behind one line each"),
+      clause(Code::kCalibResultsBlocks, "five blocks of numbers after one line each"),
       clause(Code::kCalibResultsShape, "lines of numbers that end with a centre, three affine parameters and a size"),
       clause(Code::kCalibResultsComment, "a comment on a polynomial or affine parameters"),
 

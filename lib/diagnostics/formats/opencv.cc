@@ -25,9 +25,9 @@ std::span<const CodeInfo> opencv_codes() {
 
       // Read: the file.
       error(Code::kOpencvNoCalibration, "no-calibration",
-            "no 3 x 3 camera matrix under a usual key (camera_matrix, M1, K1, camera_0 ...) stands here",
+            "no 3 x 3 camera matrix under a usual key (camera_matrix, M1, K1, camera_0 ...) is in the file",
             "OpenCV's calibration samples write camera_matrix and distortion_coefficients"),
-      error(Code::kOpencvCameraTwice, "stated-twice", "a camera {0} stands here and in the file before"),
+      error(Code::kOpencvCameraTwice, "stated-twice", "a camera {0} is here and in the file before"),
       reader_warning(Code::kOpencvCameraCount, "program-refuses",
                      "{0} is {1}, but there are {2} cameras; MC-Calib's reader stops"),
 
@@ -40,7 +40,7 @@ std::span<const CodeInfo> opencv_codes() {
             "{0} is transposed: its principal point stands in the last row, as MATLAB writes it",
             "OpenCV wants fx 0 cx, 0 fy cy, 0 0 1 row by row"),
       error(Code::kOpencvMatrixNotTransposed, "matrix-transposed",
-            "{0} stands beside MATLAB's keys and is not transposed as MATLAB's is",
+            "{0} is next to MATLAB's keys and is not transposed as MATLAB's is",
             "MATLAB writes fx 0 0, s fy 0, cx cy 1 row by row"),
       error(Code::kOpencvMatrixNonZero, "not-a-camera-matrix", "{0} has {1} where a camera matrix has 0"),
       warning(Code::kOpencvMatrixCorner, "matrix-corner",
@@ -64,19 +64,19 @@ std::span<const CodeInfo> opencv_codes() {
       error(Code::kOpencvAngleTooLarge, "not-a-rotation", "{0} turns by {1:.3} rad",
             "a rotation vector is an axis times the angle in radians"),
       warning(Code::kOpencvUnitsNotStated, "units-not-stated",
-              "{0} is {1:.4} long, in the units of the calibration board, which no file states; read as metres, probably "
+              "{0} is {1:.4} long, in the units of the calibration board, which no file contains; read as metres, probably "
               "millimetres",
               "divide it by 1000 if they are millimetres"),
       warning(Code::kOpencvPoseMissing, "pose-missing", "the pose of the second camera needs R and T, and {0} is missing"),
 
       // Read: which lens the coefficients are of.
-      clause(Code::kOpencvNoCoefficients, "{0} has no distortion coefficients beside it"),
+      clause(Code::kOpencvNoCoefficients, "{0} has no distortion coefficients next to it"),
       clause(Code::kOpencvSomeCoefficients, "{0} has {1} numbers"),
       clause(Code::kOpencvSaysOmnidir, "{0} says cv::omnidir"),
       clause(Code::kOpencvIsMatlabs, "{0} is MATLAB's"),
-      error(Code::kOpencvFisheyeWithout, "distortion-missing", "{0} and the file says fisheye; cv::fisheye wants 4"),
+      error(Code::kOpencvFisheyeWithout, "distortion-missing", "{0} and the file specifies fisheye; cv::fisheye wants 4"),
       warning(Code::kOpencvReadWithout, "distortion-missing", "{0}: read as a lens without distortion"),
-      error(Code::kOpencvFisheyeWantsFour, kLength, "{0} has {1} numbers and the file says fisheye; cv::fisheye wants 4"),
+      error(Code::kOpencvFisheyeWantsFour, kLength, "{0} has {1} numbers and the file specifies fisheye; cv::fisheye wants 4"),
       error(Code::kOpencvOmnidirWantsFour, kLength, "{0}, which wants 4 distortion coefficients, not {1}"),
       error(Code::kOpencvCoefficientCount, kLength, "{0} has {1} numbers; OpenCV knows vectors of 0, 4, 5, 8, 12 and 14"),
       error(Code::kOpencvForeignModel, "unknown-model",
@@ -88,7 +88,7 @@ std::span<const CodeInfo> opencv_codes() {
               "{0}: that the model is fisheye, which was told and is about four coefficients, has no effect on this camera"),
       warning(Code::kOpencvToldOtherwise, kContradicts, "{0} is {1} by the file and read as {2}, as told"),
       error(Code::kOpencvAmbiguousModel, "ambiguous-model",
-            "{0} has four numbers and nothing in the file says of what: pinhole k1={1} k2={2} p1={3} p2={4} "
+            "{0} has four numbers and nothing in the file shows of what: pinhole k1={1} k2={2} p1={3} p2={4} "
             "(cv::projectPoints), or fisheye k1={1} k2={2} k3={3} k4={4} (cv::fisheye)",
             "say which: pinhole or fisheye"),
 
@@ -111,7 +111,7 @@ std::span<const CodeInfo> opencv_codes() {
       loss(Code::kOpencvImuDropped, "imu-dropped", "{0} noise and rate", "OpenCV's files have no key for them",
            "keep its file; a complete IMU can be written to one of Kalibr's"),
       loss(Code::kOpencvBaselineDropped, "baseline-dropped", "{1} {2} m",
-           "OpenCV's files state poses of cameras, and the second camera is not in the input", kForBaselines),
+           "OpenCV's files contain poses of cameras, and the second camera is not in the input", kForBaselines),
       loss(Code::kOpencvCameraDropped, "camera-dropped", "{0} ({2})",
            "the file written into holds R and T of a pair and no camera", "write the cameras into an OpenCV file of their own"),
       loss(Code::kOpencvPosesDropped, "pose-dropped", "{2}", "the file written into holds the pose of one pair"),
@@ -124,7 +124,7 @@ std::span<const CodeInfo> opencv_codes() {
       clause(Code::kOpencvKeysCannotHoldModel, "its keys cannot hold the model {0}"),
       clause(Code::kOpencvOneKind, "its cameras must be of one kind"),
       clause(Code::kOpencvOneSize, "it has one image size for both cameras"),
-      clause(Code::kOpencvRotationVector, "it states the rotation as a vector"),
+      clause(Code::kOpencvRotationVector, "it contains the rotation as a vector"),
       clause(Code::kOpencvOtherLayout, "another layout was asked for"),
       clause(Code::kOpencvOtherSyntax, "another syntax was asked for"),
 
@@ -143,7 +143,7 @@ std::span<const CodeInfo> opencv_codes() {
       error(Code::kOpencvPoseNotRead, "no-calibration", "R and T of the file written into cannot be read"),
       note(Code::kOpencvWrittenAmbiguous, "ambiguous-model",
            "what is written does not say what its four coefficients are; they are meant as {0} ({1})",
-           "whoever reads it must be told {0}"),
+           "whoever reads it must know {0}"),
       clause(Code::kOpencvFirstIsLeft, "StereoBM and StereoSGBM take the first camera of a rectified pair for the left one"),
       clause(Code::kOpencvWrotePose, "the pose of a stereo pair"),
       clause(Code::kOpencvWroteCalibration, "the keys of OpenCV's camera_calibration sample"),

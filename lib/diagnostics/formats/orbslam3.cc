@@ -56,7 +56,7 @@ std::span<const CodeInfo> orbslam3_codes() {
       error(Code::kOrbslam3ModelNotStorable, "model-not-storable", "{0}: these settings cannot hold {1}",
             "another model: ORB-SLAM2's hold radtan, slam_no_opt's eucm"),
       error(Code::kOrbslam3SizeMissing, "image-size-missing",
-            "{0}: the settings demand Camera.width and Camera.height and the input has none", "state it"),
+            "{0}: the settings demand Camera.width and Camera.height and the input has none", "give it"),
       error(Code::kOrbslam3SizesDiffer, "image-sizes-differ",
             "the settings have one image size for both cameras, and theirs differ"),
       error(Code::kOrbslam3TypesDiffer, "models-differ",
@@ -99,7 +99,7 @@ std::span<const CodeInfo> orbslam3_codes() {
            "{0}: kept as the base has it; in brackets what follows from the poses and fields of view", kSetAnother),
       clause(Code::kOrbslam3KeptColumn, "{0} {1} ({2})"),
       note(Code::kOrbslam3ColumnsComputed, "columns-computed",
-           "{0} of the base: of other images, so the columns are computed anew", kSetAnother),
+           "{0} of the base: of other images, so the columns are recomputed", kSetAnother),
       clause(Code::kOrbslam3GoneColumn, "{0} {1}"),
 
       // What a rig lacks for a sensor mode.
@@ -126,12 +126,12 @@ std::span<const CodeInfo> orbslam3_codes() {
 
       // What the settings cannot hold.
       loss(Code::kOrbslam3FrameRateRounded, "frame-rate-rounded", "{2} Hz", "{1} must be an int: {3} is written",
-           "state another one"),
+           "give another one"),
       loss(Code::kOrbslam3ImuRateRounded, "imu-rate-rounded", "{2} Hz", "{1} must be an int in this style: {3} is written",
            "nothing below a percent: noise is scaled with the root of the rate"),
       loss(Code::kOrbslam3SecondCameraDropped, "camera-dropped", "{0}", "{2} settings hold one camera", kFileOfItsOwn),
       loss(Code::kOrbslam3ThirdCameraDropped, "camera-dropped", "{0}", "{2} settings hold two cameras", kFileOfItsOwn),
-      clause(Code::kOrbslam3DelayNotStated, "the settings do not state it ({0})"),
+      clause(Code::kOrbslam3DelayNotStated, "the settings do not contain it ({0})"),
       clause(Code::kOrbslam3NoKeyForIt, "{0} has no key for it"),
       clause(Code::kOrbslam3TopicsOnCommandLine, "{0} takes topics on its command line"),
       loss(Code::kOrbslam3ImageTopicDropped, "topic-dropped", "{0} {2}", "the keys of the calibration do not hold it",
@@ -161,7 +161,7 @@ std::span<const CodeInfo> orbslam3_codes() {
       // What to do, and why.
       clause(Code::kOrbslam3NoPair, "; not stereo: {0} and {1} have less than a quarter of their images in common"),
       clause(Code::kOrbslam3NoRows,
-             "; not stereo: {0} and {1} sit one above the other, and its matches of a pair lie beside each other"),
+             "; not stereo: {0} and {1} sit one above the other, and its matches of a pair lie next to each other"),
       clause(Code::kOrbslam3FirstIsLeft, "ORB-SLAM3 takes the first camera of a stereo pair for the left one"),
       clause(Code::kOrbslam3Layouts,
              "v1 (stock V1.0), old (before V1.0), orbslam2 or slam_no_opt (default: the input's, else what V1.0 reads best)"),

@@ -30,10 +30,10 @@ std::span<const CodeInfo> table_codes() {
 
       // Written. {0}: the title of the format, {1}: its program.
       clause(Code::kTableWrote, "{0} for {1}"),
-      clause(Code::kTableDemandsSize, "the file of a camera states its resolution"),
+      clause(Code::kTableDemandsSize, "the file of a camera contains its resolution"),
       clause(Code::kTableIdentity, "identity: its pose in the IMU is not in the input"),
       clause(Code::kTablePoseInFrame, "the pose in {0}: its pose in the IMU is not in the input"),
-      clause(Code::kTableInitialValue, "{0} (of {1}'s example: the input does not state it)"),
+      clause(Code::kTableInitialValue, "{0} (of {1}'s example: the input does not contain it)"),
       clause(Code::kStellaLayouts, "stella_vslam (the default) or openvslam (keys with points: Camera.fx)"),
       clause(Code::kOkvisLayouts, "okvis2 (OKVIS2 and OKVIS2-X, the default) or okvis1 (the first OKVIS)"),
       clause(Code::kTableStockValue, "as in {0}'s example"),

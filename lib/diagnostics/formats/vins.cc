@@ -26,7 +26,7 @@ std::span<const CodeInfo> vins_codes() {
             "model_type '{0}' is not spelled {1}: camodocal then reads every number as 0 and says nothing",
             "write  model_type: {1}"),
       error(Code::kVinsTypeUnknown, "unknown-model", "model_type '{0}' is none of camodocal's: {1:or}"),
-      error(Code::kVinsSizeMissing, "missing-key", "there is no {0}: camodocal reads 0", "state it"),
+      error(Code::kVinsSizeMissing, "missing-key", "there is no {0}: camodocal reads 0", "give it"),
       error(Code::kVinsSectionMissing, "missing-key", "there is no {0}: camodocal reads 0 for every number that belongs there"),
       error(Code::kVinsSectionNotAMapping, "not-a-mapping", "{0} is no mapping of keys and numbers: camodocal reads zeros"),
       error(Code::kVinsKeyMissing, "missing-key", "{0} has no {1}: camodocal reads 0 for it", "{2}"),
@@ -71,7 +71,7 @@ std::span<const CodeInfo> vins_codes() {
               "the images are of {0} x {1} px here and of {2} x {3} px in {4}; VINS-Fusion goes by this one", kWhichIsRight),
 
       // What cannot be written, and what a configuration that is written into keeps.
-      clause(Code::kVinsFilesStateSize, "camodocal's camera files state the image size"),
+      clause(Code::kVinsFilesStateSize, "camodocal's camera files contain the image size"),
       clause(Code::kVinsWantsSize, "VINS-Fusion wants the image size"),
       error(Code::kVinsSizesDiffer, "image-sizes-differ", "VINS-Fusion has one image size for both cameras, and theirs differ",
             "resize the images of one"),
@@ -81,15 +81,15 @@ std::span<const CodeInfo> vins_codes() {
             "give both cameras, or write  num_of_cam: 1"),
       warning(
           Code::kVinsCameraKept, "camera-kept",
-          "num_of_cam stays {0}, and {1} is the base's: VINS-Fusion reads {1}_calib's file beside what is written and stops "
+          "num_of_cam stays {0}, and {1} is the base's: VINS-Fusion reads {1}_calib's file next to what is written and stops "
           "without it",
           "put that file there, or write  num_of_cam: {2}"),
       warning(Code::kVinsOtherImages, "size-contradicts",
               "the configuration was for images of {0} x {1} px, and becomes one for the input's, of {2} x {3} px",
               "give the calibration of the images that the configuration is for{4}"),
       clause(Code::kVinsIfScaled, "; resize to {0} x {1} px if they are the input's, scaled"),
-      note(Code::kVinsPoseKept, "pose-kept", "{0} stays as it is: nothing states the pose of {1} in the IMU"),
-      note(Code::kVinsTimeOffsetKept, "time-offset-kept", "td stays {0} s: nothing states the time offset of {1}"),
+      note(Code::kVinsPoseKept, "pose-kept", "{0} stays as it is: no input contains the pose of {1} in the IMU"),
+      note(Code::kVinsTimeOffsetKept, "time-offset-kept", "td stays {0} s: no input contains the time offset of {1}"),
       note(Code::kVinsNoiseConverted, "imu-noise-converted",
            "{0}: acc_n, gyr_n, acc_w and gyr_w are the densities times sqrt({1} Hz), what VINS-Fusion takes for one sample's "
            "noise"),

@@ -24,7 +24,7 @@ std::span<const CodeInfo> woodscape_codes() {
       clause(Code::kWoodscapeJsonInPixels, "k1 counts pixels per radian"),
       // What speaks for the format.
       clause(Code::kWoodscapeJsonWithKey, "intrinsic with {0}"),
-      clause(Code::kWoodscapeJsonWithQuaternion, "intrinsic with k1 beside an extrinsic with quaternion"),
+      clause(Code::kWoodscapeJsonWithQuaternion, "intrinsic with k1 next to an extrinsic with quaternion"),
 
       error(Code::kWoodscapeJsonOneObject, "wrong-syntax", "a WoodScape calibration is one JSON object"),
       key_error(Code::kWoodscapeJsonMissing, "there is no {0}: projection.py stops with KeyError: '{0}'{1}"),
@@ -35,7 +35,7 @@ std::span<const CodeInfo> woodscape_codes() {
       error(Code::kWoodscapeJsonOtherModel, "unknown-model",
             "model is '{0}'; fca-io reads WoodScape's \"radial_poly\" (rho = k1 theta + ... + k4 theta^4)"),
       error(Code::kWoodscapeJsonOtherOrder, "unknown-model",
-            "poly_order is {0}; projection.py reads k1 to k4, whatever stands here",
+            "poly_order is {0}; projection.py reads k1 to k4, whatever this number is",
             "write the coefficients as k1 to k4 and poly_order as 4"),
       error(Code::kWoodscapeJsonPerDegree, kNotInPixels,
             "k1 = {0} is no number of pixels per radian (the dataset's are 200 to 600): the file probably holds pixels per "
@@ -67,8 +67,7 @@ std::span<const CodeInfo> woodscape_codes() {
 
       clause(Code::kWoodscapeJsonCentreFromMiddle, "WoodScape counts the centre from the middle of the image"),
       clause(Code::kWoodscapeJsonNoPlace, "a WoodScape JSON has no place for it"),
-      clause(Code::kWoodscapeJsonHalfAPose,
-             "it is half a pose: quaternion and translation in the vehicle do not stand beside each other"),
+      clause(Code::kWoodscapeJsonHalfAPose, "it is half a pose: quaternion and translation in the vehicle are not together"),
       clause(Code::kWoodscapeJsonPoseMadeUp, "{0}: the vehicle is not in the input, and projection.py stops without it"),
       clause(Code::kWoodscapeJsonHeadline, "a WoodScape JSON for projection.py"),
       clause(Code::kWoodscapeJsonHeadlineEach, "one WoodScape JSON per camera for projection.py"),

@@ -23,7 +23,7 @@ std::span<const CodeInfo> nerf_program_codes() {
       refusal(Code::kNerfSaysUnknownModel, "camera_model is {0}, which is none of its models"),
       misreading(Code::kNerfSaysTakenForPerspective, "{0} is not read: the lens is taken for none of a fisheye", "write {1}"),
       refusal(Code::kNerfSaysNoFieldOfView, "no focal length stands at the top or in frame {0}", "write fl_x and fl_y"),
-      refusal(Code::kNerfSaysCentreAlone, "{0} stands without {1} in the same object", "repeat {1} beside it"),
+      refusal(Code::kNerfSaysCentreAlone, "{0} stands without {1} in the same object", "repeat {1} next to it"),
       misreading(Code::kNerfSaysSlots, "p1 and p2 take the places of k3 and k4, which are lost",
                  "remove p1 and p2: a fisheye has none"),
       misreading(Code::kNerfSaysNoLens, "a fisheye whose coefficients are all 0 becomes a pinhole", "write 1e-12 for k1"),

@@ -73,7 +73,7 @@ std::span<const CodeInfo> orbslam_program_codes() {
 
       // ORB-SLAM3 V1.0.
       named_refusal(Code::kOrbslamV1Type, "{0} is {1}; ORB-SLAM3 V1.0 knows PinHole, Rectified, KannalaBrandt8 and exits{2}"),
-      clause(Code::kOrbslamCommentInText, " (OpenCV takes a comment behind an unquoted string for a part of it: use quotes)"),
+      clause(Code::kOrbslamCommentInText, " (OpenCV takes a comment after an unquoted string for a part of it: use quotes)"),
       misreading(Code::kOrbslamIgnoredWithoutK1, "{0} is ignored: without {1} there is no distortion"),
       misreading(Code::kOrbslamRectifiedIgnores, "{0} is ignored: Rectified images have no distortion"),
       misreading(Code::kOrbslamRectifiedAlike, "Camera2.* is ignored: for Rectified both cameras have the numbers of Camera1"),
@@ -84,7 +84,7 @@ std::span<const CodeInfo> orbslam_program_codes() {
           "{0} without Camera1.k1: ORB-SLAM3 V1.0 takes camera 2's distortion from camera 1's empty array and reads a "
           "null pointer"),
       named_misreading(Code::kOrbslamReadsBehindFour,
-                       "{0} without Camera1.k3: ORB-SLAM3 V1.0 reads behind camera 1's four coefficients"),
+                       "{0} without Camera1.k3: ORB-SLAM3 V1.0 reads beyond camera 1's four coefficients"),
       named_misreading(Code::kOrbslamSecondPinholeIgnored, "{0} k2 p1 p2 are ignored: ORB-SLAM3 V1.0 uses camera 1's"),
       named_misreading(Code::kOrbslamSecondFisheyeIgnored,
                        "{0}..k4 differ from Camera1.k1..k4 and are ignored: ORB-SLAM3 V1.0 reads Camera1.k1..k4 for both "

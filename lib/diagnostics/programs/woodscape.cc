@@ -37,7 +37,7 @@ std::span<const CodeInfo> woodscape_program_codes() {
       misreading(Code::kOmnidetOtherOrder,
                  "omnidet takes the value at place {1} of {0}, \"{2}\", for {3}: the keys must be in WoodScape's order"),
       misreading(Code::kOmnidetOtherSize,
-                 "the image is not 1280 x 966, which omnidet takes for granted whatever the file says"),
+                 "the image is not 1280 x 966, which omnidet takes for granted whatever the file contains"),
       misreading(Code::kOmnidetCentre, "omnidet's centre is width / 2 + cx_offset, without the - 0.5 of projection.py: {0}"),
       clause(Code::kOmnidetCost, "in all up to {0:.3} px"),
       clause(Code::kOmnidetNotComparable, "not comparable, as {0} is no number"),

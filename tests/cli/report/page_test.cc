@@ -97,7 +97,7 @@ TEST(Report, TakesWhatConvertTakes) {
       {"--to", "orbslam3", "--set", "Viewer.PointSize=3.5"},
       {"--to", "opencv", "--opencv-layout", "cameras"},
       {"--into", base, "--fps", "33"},
-      {"--to", "kalibr", "--anew", "--model", "ds"},
+      {"--to", "kalibr", "--rewrite", "--model", "ds"},
   };
   for (const std::vector<std::string>& choice : choices) {
     SCOPED_TRACE(choice.back());

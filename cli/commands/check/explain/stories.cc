@@ -80,7 +80,7 @@ examples; 0.1 and 2000 are metres or millimetres. With 0 or less no point counts
     Story{
         "distortion-missing",
         R"(Without coefficients OpenCV's functions take a lens without distortion. If the images are rectified that is right; if
-not, D, distortion_coefficients or D1 belong beside the matrix.)"},
+not, D, distortion_coefficients or D1 belong next to the matrix.)"},
     Story{
         "duplicate-key",
         R"(PyYAML keeps the last of two equal keys, yaml-cpp and cv::FileStorage the first, and none says so. Two programs thus read
@@ -136,17 +136,17 @@ deviation and a density that was made larger look alike, it is called not decida
           "Their units differ (rad/s^2/sqrt(Hz) and rad/s/sqrt(Hz)); the numbers of real gyroscopes differ by 10 and more."},
     Story{"int-for-real",
           R"(Kalibr asks Python for a float, ORB-SLAM3 cv::FileNode for REAL: 190 and 20 are ints to both and refused. A decimal
-point mends it.)"},
+point fixes it.)"},
     Story{
         "invented-value",
-        R"(The target's program stops without the value and no input states it, so convert took the one that the report names. An
-IMU's noise, rate or pose is a fact of the calibration: the file that states it belongs beside the input.)"},
+        R"(The target's program stops without the value and no input contains it, so convert took the one that the report names. An
+IMU's noise, rate or pose is a fact of the calibration: the file that contains it belongs next to the input.)"},
     Story{
         "inverse-missing",
         R"(calib_results.txt holds two polynomials: pixel to ray (the calibrated one) and ray to pixel (a fit to it). MATLAB's toolbox
 leaves the second out unless find_and_export_data was run. fca-io convert FILE --to ocamcalib computes it.)"},
     Story{"json-syntax",
-          "RFC 8259: double quotes, no comments, no comma behind the last item, no NaN. Python writes NaN and reads it; others "
+          "RFC 8259: double quotes, no comments, no comma after the last item, no NaN. Python writes NaN and reads it; others "
           "do not."},
     Story{"key-assumed", "The message says which. Whether that is what was meant nothing in the file tells."},
     Story{"key-misspelt",
@@ -156,7 +156,7 @@ case, or exchanged with its neighbour. Digits are no letters. Or a block holds a
           "det R = -1. No motion turns a camera into its mirror image: a sign is wrong, or two rows are exchanged."},
     Story{
         "lens-in-doubt",
-        R"(The same numbers can be read as two lenses: by the zeros behind them, or by a name that programs take in two ways. fca-io
+        R"(The same numbers can be read as two lenses: by the zeros after them, or by a name that programs take in two ways. fca-io
 reads them as the named program does today. Compare it with another calibration of the camera: fca-io compare A B.)"},
     Story{
         "lost",
@@ -208,7 +208,7 @@ above 50 % not to be used. What lies outside the lens does not count: --max-angl
     Story{"not-a-camera-matrix", "3 x 3, [fx s cx; 0 fy cy; 0 0 1], fx and fy above 0."},
     Story{"not-a-list",
           "The message names what the program asks for there. A list is [1.0, 2.0], or a line with a dash for each item."},
-    Story{"not-a-mapping", "Keys with values are wanted: `key: value`, with a blank behind the colon."},
+    Story{"not-a-mapping", "Keys with values are wanted: `key: value`, with a blank after the colon."},
     Story{"not-a-matrix",
           "K: !!opencv-matrix with rows, cols, dt and data below it; cv::FileStorage makes a matrix of nothing else."},
     Story{"not-a-number",
@@ -266,7 +266,7 @@ A pose and its inverse are equally long, so that a single one tells nothing; it 
 or by the height above a vehicle's ground.)"},
     Story{"pose-missing", "Two cameras, and no pose leads from one to the other (T_cn_cnm1, R and T, Stereo.T_c1_c2)."},
     Story{"pose-transposed",
-          R"(R' is the inverse of R: the rotation goes the other way, and the translation, stated for the first, no longer fits.
+          R"(R' is the inverse of R: the rotation goes the other way, and the translation, given for the first, no longer fits.
 MATLAB multiplies rows (p' R), Eigen stores columns: either way rows become columns on the way into a file.)"},
     Story{
         "poses-contradict",
@@ -293,7 +293,7 @@ spelling of the same value would do, --fix makes it.)"},
     Story{
         "relative-by-centre",
         R"(DSO's camera.txt: centre and focal length below 1 are parts of the width and height, and half a pixel is subtracted. A
-centre of 0.5 px cannot be told from that.)"},
+centre of 0.5 px cannot be distinguished from that.)"},
     Story{"ros-parameters",
           "A ROS 2 launch file passes /**: ros__parameters: ... to a node. Kalibr and others read a calibration at the top of "
           "a file."},
@@ -302,7 +302,7 @@ centre of 0.5 px cannot be told from that.)"},
     Story{
         "size-swapped",
         R"(The principal point is within a tenth of the middle of the image turned by 90 deg, and a fifth away from the middle of
-the one stated.)"},
+the one given.)"},
     Story{"size-unlike-centre",
           R"(cx / (w / 2) and cy / (h / 2) are alike, and 30 % and more from 1: the intrinsics are those of another resolution.
 Scaled by s they become  f' = s f,  c' = s (c + 0.5) - 0.5.)"},
@@ -316,11 +316,11 @@ are read with one; other formats have no place for it, and it is fitted away.)"}
     Story{
         "stereo-vertical",
         R"(ORB-SLAM rectifies a pair of pinholes and looks for the points of one image along the rows of the other. Of a pair whose
-second camera stands more below or above the first than beside it the points move along columns.)"},
+second camera stands more below or above the first than next to it the points move along columns.)"},
     Story{
         "tangential-too-large",
         R"(p1 and p2 say how far the lens is tilted against the sensor: below 0.01 on real lenses. Larger ones make up for what
-the views did not show. Beside a k1 and k2 below 0.3, as fisheyes have them, they are taken for its k3 and k4: wrong-family.)"},
+the views did not show. Next to a k1 and k2 below 0.3, as fisheyes have them, they are taken for its k3 and k4: wrong-family.)"},
     Story{
         "target-cannot-reach",
         R"(Some models end: radtan and rational fold, a pinhole has no ray at 90 deg. The fit then covers the part that they reach,
@@ -333,9 +333,8 @@ another one. Milliseconds (5.3) look so, and clocks that were never set.)"},
     Story{"too-large", "More than 2 MiB. The largest calibration seen has 193 kB; images and point lists make the rest."},
     Story{"too-long", "The limit is 100,000 values in one list, keys in one block, or lines."},
     Story{"too-many-cameras", "The limit is 100 cameras: their poses are compared each with each."},
-    Story{
-        "translation-in-mm",
-        R"(Kalibr, ORB-SLAM3 and WoodScape state metres. Parts of a rig more than 5 m apart are a warning, 50 m an error: 110 mm
+    Story{"translation-in-mm",
+          R"(Kalibr, ORB-SLAM3 and WoodScape use metres. Parts of a rig more than 5 m apart are a warning, 50 m an error: 110 mm
 read as metres are 110 m. Two cameras less than a millimetre apart are a warning, too. OpenCV's stereo calibration has the
 unit of the board.)"},
     Story{"undistortion-inexact", R"(cv::undistortPoints inverts the lens by
@@ -349,10 +348,10 @@ that was asked for; above 1 px is reported. cv::undistort and remapping are not 
         "units-not-stated",
         R"(OpenCV's stereo calibration gives T in the unit of the board's squares: metres, centimetres or millimetres. Compare its
 length with the distance of the two lenses.)"},
-    Story{"unknown-format", "fca-io formats lists what is read, and by which keys it is told."},
+    Story{"unknown-format", "fca-io formats lists what is read, and by which keys it is recognised."},
     Story{"unknown-model", "The message names those that the program knows. fca-io models has the other names of each."},
     Story{"unquoted-text",
-          "File.version: 1.0 is a number to OpenCV; PinHole # a comment is text with its comment. Quotes mend both."},
+          "File.version: 1.0 is a number to OpenCV; PinHole # a comment is text with its comment. Quotes fix both."},
     Story{
         "utf-16",
         "Windows' editors and redirections in PowerShell save text as UTF-16, two bytes for a character. No program that reads "
@@ -361,7 +360,7 @@ length with the distance of the two lenses.)"},
           "The first number of OCamCalib's polynomials is how many follow; rows x cols of a matrix is how many numbers data "
           "holds; COLMAP's binary files begin with how many cameras or rigs they hold."},
     Story{"wrong-family", R"(Four numbers look alike in every file. What tells them apart:
-* radtan's p1 and p2 are below 0.01 on real lenses; k3 and k4 of an equidistant model often are not (beside a k1 and k2 below
+* radtan's p1 and p2 are below 0.01 on real lenses; k3 and k4 of an equidistant model often are not (next to a k1 and k2 below
   0.3, which fisheyes have; else: tangential-too-large).
 * no lens without distortion sees 100 deg across the image; an equidistant model's k1 near 0 under radtan claims one.
 * an equidistant model with |k1| > 0.15 has higher terms of its size; radtan's -0.28 0.07 0.0002 -0.00002 under its name

@@ -11,7 +11,7 @@
 
 namespace fca {
 
-/// What became of a cell, in the judge's words (Coverage).
+/// Was a cell scored? The parts are those of Coverage (fca/convert/report.h).
 enum class Part : std::uint8_t { kScored, kOutsideLens, kUnrepresentable };
 
 struct ImageField {
@@ -28,38 +28,39 @@ struct ImageField {
   }
 };
 
-/// Cells along the longer side of the image, at most: of pictures, and of contours, whose lines are as fine as people see
-/// with fewer.
+/// The largest number of cells along the longer side of the image. Contours need fewer than pictures: their lines are
+/// interpolated.
 inline constexpr int kPictureCells = 512;
 inline constexpr int kContourCells = 144;
 
-/// Two cameras over the domain that a judgement was about: pixel -> ray by `source` -> pixel by `target`. `limit_rad`: as it
-/// was given (--max-angle); `reach_rad`: nothing further from the axis was scored; `rotation`: takes the source's rays to the
-/// target's, null: they have the same. Nothing where there is no domain.
+/// The error in pixels at each cell: the distance between its pixel and target(ray of the pixel in `source`). `limit_rad`: the
+/// angle at which the lens ends, if the caller gave one; `reach_rad`: cells further from the axis count as kUnrepresentable;
+/// `rotation`: takes the source's rays to the target's; null: they have the same frame.
+/// Nothing where the camera has no image size or sees nothing of it.
 [[nodiscard]] std::optional<ImageField> error_field(const Camera& source, const CameraModel& target,
                                                     std::optional<double> limit_rad, double reach_rad, int most_cells,
                                                     const Transform* rotation = nullptr);
 
-/// Degrees from the axis.
+/// The angle of each cell's ray from the axis, in degrees.
 [[nodiscard]] std::optional<ImageField> angle_field(const Camera& camera, std::optional<double> limit_rad, int most_cells);
 
-/// A function of the angle from the axis, over all directions around it that the image holds.
+/// The error at one angle from the axis, over all azimuths whose pixels are in the image.
 struct ProfilePoint {
   double angle_deg = 0.0;
   double rms_px = 0.0;
   double max_px = 0.0;
 };
-/// The error from the axis to `reach_rad`; angles that no pixel of the image has are left out. `rotation`: takes the source's
-/// rays to the target's; null: they have the same.
+/// The profile from the axis to `reach_rad`, without angles that no pixel of the image has. `rotation`: takes rays in the
+/// source's frame to the target's; null: both have the same frame.
 [[nodiscard]] std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel& target, double reach_rad,
                                                       const Transform* rotation = nullptr);
 
-/// How far from the principal point a model has rays of each angle, in pixels: the mean of all directions around the axis.
+/// The distance of the pixels of one angle from the principal point, in pixels: the mean over all azimuths.
 struct RadiusPoint {
   double angle_deg = 0.0;
   double radius_px = 0.0;
 };
-/// Up to `to_rad`, or where the model ends.
+/// From the axis up to `to_rad`, or to the angle at which the model ends.
 [[nodiscard]] std::vector<RadiusPoint> radius_curve(const CameraModel& model, double to_rad);
 
 }  // namespace fca
