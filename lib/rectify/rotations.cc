@@ -67,6 +67,16 @@ Transform pose_of(const RectifiedPair& pair) {
   return transposed(pair.views[1].T_rectified_camera) * between * pair.views[0].T_rectified_camera;
 }
 
+bool states_rectification(const Rig& rig) {
+  if (!rig.rectified || !rig.rectified->sources.empty()) return false;
+  const auto& [first, second] = rig.rectified->views;
+  if (rig.find_camera(first.camera) == nullptr || rig.find_camera(second.camera) == nullptr) return false;
+  const std::optional<Transform> T = rig.resolve(second.camera, first.camera);
+  constexpr double kPrinted = 1e-5;
+  const Transform stated = pose_of(*rig.rectified);
+  return T && largest_difference(*T, stated).distance <= kPrinted && distance_between(*T, stated) <= kPrinted;
+}
+
 RectifiedPair exchanged(const RectifiedPair& pair) {
   RectifiedPair result = pair;
   std::swap(result.views[0], result.views[1]);

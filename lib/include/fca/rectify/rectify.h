@@ -54,6 +54,10 @@ struct RectifyOptions {
 /// T_second_first, as the rectification states it.
 [[nodiscard]] Transform pose_of(const RectifiedPair& pair);
 
+/// Is Rig::rectified of two cameras of the rig, and says of their pose what its poses say, to 1e-5 (an element of the rotation,
+/// metres)?
+[[nodiscard]] bool states_rectification(const Rig& rig);
+
 /// The same pair with its views exchanged.
 [[nodiscard]] RectifiedPair exchanged(const RectifiedPair& pair);
 
