@@ -121,11 +121,15 @@ void add_view_options(Options& options, RemapArguments& arguments, const std::sh
                 "Turn the camera, in degrees: first yaw (about y: positive to the right), then pitch (about its x: positive "
                 "up), then roll (about its z: positive clockwise)",
                 [&request](const std::string& word) { return take_turn(word, request.turn); });
-  options.value("--interpolation", "KIND", "bilinear (default) or lanczos, as OpenCV does them",
-                [&arguments](const std::string& word) { return take_interpolation(word, arguments.interpolation); });
+  add_interpolation_option(options, arguments.interpolation);
 }
 
 }  // namespace
+
+void add_interpolation_option(Options& options, Interpolation& target) {
+  options.value("--interpolation", "KIND", "bilinear (default) or lanczos, as OpenCV does them",
+                [&target](const std::string& word) { return take_interpolation(word, target); });
+}
 
 void add_remap_options(Options& options, RemapArguments& arguments) {
   RemapRequest& request = arguments.request;

@@ -120,8 +120,9 @@ std::vector<fields::Field> left_right_fields(const RectifiedPair& pair) {
     const Camera& camera = pair.sources.at(i);
     const std::string side(kSides.at(i));
     const auto value = [&camera](ParameterId id) { return parameter(camera.model, id).value(); };
-    fields.push_back(fields::integer(side + ".height", camera.image_size->height));
-    fields.push_back(fields::integer(side + ".width", camera.image_size->width));
+    const ImageSize size = pair.size.value_or(camera.image_size.value_or(ImageSize()));  // of the image that is made
+    fields.push_back(fields::integer(side + ".height", size.height));
+    fields.push_back(fields::integer(side + ".width", size.width));
     const std::vector<double> D = coefficients_of(camera.model).value();
     fields.push_back(fields::matrix(side + ".D", D, static_cast<int>(D.size()), "d"));
     const std::array K = {value("fx"), 0.0, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0};

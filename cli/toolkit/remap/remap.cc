@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_for.h"
+#include "remap/map_rows.h"
 
 #include <fca/code.h>
 #include <fca/convert/convert.h>
@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 namespace fca {
@@ -28,33 +27,6 @@ std::optional<Camera> source_of(const RemapRequest& request, Files& files, Diagn
   if (cameras.size() > 1) return refuse(Code::kSeveralCameras);
   if (!cameras.front().image_size) return refuse(Code::kFileWithoutSize);
   return cameras.front();
-}
-
-constexpr int kLongestSide = 32766;  // cv::remap counts in 16 bits
-
-bool sides_are_mapped(const Camera& camera, Diagnostics& diagnostics) {
-  if (!camera.image_size) {
-    diagnostics.add(Code::kCameraWithoutSize, {camera.name});
-    return false;
-  }
-  const auto& [width, height] = *camera.image_size;
-  if (std::max(width, height) <= kLongestSide && std::int64_t{width} * height <= kMostPixels) return true;
-  diagnostics.add(Code::kImagesTooLarge, {width, height, kLongestSide});
-  return false;
-}
-
-/// Rows at the same time.
-ImageMap map_of(const ImageMapper& mapper, std::size_t jobs) {
-  const ImageSize size = mapper.size();
-  const auto stride = 2 * static_cast<std::size_t>(size.width);
-  const auto rows = static_cast<std::size_t>(size.height);
-  ImageMap map{size, std::vector<float>(stride * rows)};
-  constexpr std::size_t kRows = 16;  // of one piece of work
-  parallel_for((rows + kRows - 1) / kRows, jobs, [&](std::size_t piece) {
-    for (std::size_t row = piece * kRows; row < std::min(rows, (piece + 1) * kRows); ++row)
-      mapper.row(static_cast<int>(row), std::span(map.uv).subspan(row * stride, stride));
-  });
-  return map;
 }
 
 /// The camera of a file: that of the same name, or the only one.
