@@ -225,7 +225,7 @@ std::optional<RectifiedPair> rectify(const Camera& first, const Camera& second, 
   pair.is_vertical = rotations->is_vertical;
   pair.offset_m = rotations->offset_m;
   const Cameras cameras = {&first, &second};
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < 2 && options.valid_regions; ++i) {
     pair.views.at(i).valid = valid_region(*cameras.at(i), pair, i, size);
     if (pair.views.at(i).valid) continue;
     diagnostics.add(Code::kRectifyNoValidPart, {cameras.at(i)->name});

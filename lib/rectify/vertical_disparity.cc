@@ -97,4 +97,20 @@ std::optional<VerticalDisparity> vertical_disparity(const MeantCamera& first, co
   return VerticalDisparity{*far_away, *near};
 }
 
+std::optional<PairError> pair_error(const MeantCamera& first, const MeantCamera& second, const Transform& T_second_first,
+                                    const Transform& T_meant) {
+  const auto meant = [](const MeantCamera& camera) {
+    Camera result = camera.source;
+    result.model = camera.meant;
+    return result;
+  };
+  Diagnostics unheard;  // who asks has not asked for a rectification
+  RectifyOptions options;
+  options.valid_regions = false;
+  const std::optional<RectifiedPair> pair = rectify(meant(first), meant(second), T_meant, options, unheard);
+  if (!pair) return std::nullopt;
+  const std::optional<VerticalDisparity> disparity = vertical_disparity(first, second, T_second_first, *pair, *pair->size);
+  return disparity ? std::optional(PairError{first.source.name, second.source.name, *disparity}) : std::nullopt;
+}
+
 }  // namespace fca

@@ -41,6 +41,7 @@ using RectifiedViewChoice = std::variant<std::monostate, RectifiedByAlpha, Recti
 struct RectifyOptions {
   RectifiedViewChoice view;
   std::optional<ImageSize> size = {};  ///< Of the rectified images; nothing: as the cameras'.
+  bool valid_regions = true;           ///< They are wanted; else a pair without any is none the worse.
 };
 
 /// The rectified pair of two cameras with images of one size. The common camera is made as cv::stereoRectify makes it with

@@ -4,7 +4,9 @@
 
 #include <fca/rectify/rectify.h>
 
+#include <algorithm>
 #include <optional>
+#include <string>
 
 namespace fca {
 
@@ -33,5 +35,21 @@ struct VerticalDisparity {
 [[nodiscard]] std::optional<VerticalDisparity> vertical_disparity(const MeantCamera& first, const MeantCamera& second,
                                                                   const Transform& T_second_first, const RectifiedPair& pair,
                                                                   const ImageSize& size);
+
+/// What stereo feels of a pair that is written otherwise than it is.
+struct PairError {
+  std::string first;  ///< Names of the cameras.
+  std::string second;
+  VerticalDisparity disparity;
+
+  /// The larger of those far away and at ten baselines.
+  [[nodiscard]] double rms_px() const { return std::max(disparity.at_infinity.rms_px, disparity.at_ten_baselines.rms_px); }
+  [[nodiscard]] double max_px() const { return std::max(disparity.at_infinity.max_px, disparity.at_ten_baselines.max_px); }
+};
+
+/// The disparity across the rows of images that are rectified by what is meant: the lenses and the pose `T_meant`. Nothing
+/// where those cannot be rectified.
+[[nodiscard]] std::optional<PairError> pair_error(const MeantCamera& first, const MeantCamera& second,
+                                                  const Transform& T_second_first, const Transform& T_meant);
 
 }  // namespace fca
