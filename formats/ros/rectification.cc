@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rectification.h"
 
+#include <fca/formats/rectified_image.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rectify/rectify.h>
 #include <fca/rig/rotation.h>
@@ -282,3 +283,19 @@ Rectification rectification_of(const Rig& rig) {
 }
 
 }  // namespace fca::ros
+
+namespace fca {
+
+std::optional<RectifiedImage> rectified_image(const Rig& rig, const Camera& camera) {
+  const ros::Stated stated = ros::stated_of(rig, camera);
+  const ros::Rectified image = ros::as_stated(camera, stated);
+  const bool is_turned = stated.place && image.R != ros::kIdentity;
+  if (stated.is_reduced || !(is_turned || stated.projection)) return std::nullopt;
+  RectifiedImage result;
+  result.camera = camera;
+  result.camera.model = Intrinsics<Pinhole>{{image.P[0], image.P[5], image.P[2], image.P[6]}};
+  for (int i = 0; i < 9; ++i) result.T_rectified_camera(i / 3, i % 3) = image.R.at(static_cast<std::size_t>(i));
+  return result;
+}
+
+}  // namespace fca

@@ -3,9 +3,13 @@
 #include "cli/told.h"
 #include "images.h"
 
+#include <fca/formats/calibration.h>
+#include <fca/formats/text/read_document.h>
+
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -212,6 +216,75 @@ TEST(Rectify, MatchesLieInOneRow) {
   }
 }
 
+/// By OpenCV, where a rectified image of that rotation and camera shows a pixel of the camera's own; not a number outside it.
+cv::Point2d rectified_by_opencv(const Camera& camera, const Pixel& pixel, const cv::Matx33d& R, const cv::Matx33d& P) {
+  const std::span<const double> p = parameter_values(camera.model);
+  const cv::Matx33d K(p[0], 0, p[2], 0, p[1], p[3], 0, 0, 1);
+  const std::vector<double> D(p.begin() + 4, p.begin() + 8);
+  const std::vector<cv::Point2d> pixels = {{pixel[0], pixel[1]}};
+  std::vector<cv::Point2d> rectified;
+  if (model_info(camera.model).id == "kb4") {
+    cv::fisheye::undistortPoints(pixels, rectified, K, D, R, P);
+  } else {
+    cv::undistortPoints(pixels, rectified, K, D, R, P,
+                        cv::TermCriteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-12));
+  }
+  return rectified.front();
+}
+
+bool opencv_has(const Camera& camera) {
+  const std::string_view model = model_info(camera.model).id;
+  return model == "kb4" || (model == "radtan" && parameter(camera.model, "k3") == 0.0);
+}
+
+// Points that both rectified images show, seen by the cameras of the file.
+TEST(Rectify, MatchesOfRealPairsLieInOneRow) {
+  const fs::path corpus = fs::path(FCA_SHARED_DIR) / "corpus/kalibr";
+  if (!fs::exists(corpus)) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(corpus)) files.push_back(entry.path());
+  std::ranges::sort(files);
+  int pairs = 0;
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> one(0.0, 1.0);
+  for (const fs::path& file : files) {
+    const Told told({"rectify", file.string()});
+    if (told.code() != 0) continue;
+    const auto& json = told.json()["pair"];
+    Diagnostics diagnostics;
+    std::optional<text::Document> document = text::parse_document({file.string(), read_file(file)}, diagnostics);
+    ASSERT_TRUE(document);
+    const std::optional<Calibration> calibration = read_calibration({*std::move(document)}, nullptr, {}, diagnostics);
+    ASSERT_TRUE(calibration);
+    const Rig& rig = calibration->rig;
+    const Camera& first = *rig.find_camera(json["views"][0]["camera"].GetString());
+    const Camera& second = *rig.find_camera(json["views"][1]["camera"].GetString());
+    if (!opencv_has(first) || !opencv_has(second) || json["vertical"].GetBool()) continue;
+    ++pairs;
+    const Transform T = *rig.resolve(second.name, first.name);
+    int seen = 0;
+    for (int i = 0; i < 20000 && seen < 1000; ++i) {
+      const Pixel pixel = {one(random) * first.image_size->width, one(random) * first.image_size->height};
+      const std::optional<Ray> ray = unproject(first.model, pixel);
+      const double metres = 1.0 + 20.0 * one(random);
+      if (!ray || angle_from_axis(*ray) > 50.0 * kRadians) continue;
+      Ray there{};
+      for (int row = 0; row < 3; ++row) {
+        there.at(static_cast<std::size_t>(row)) =
+            metres * (T(row, 0) * (*ray)[0] + T(row, 1) * (*ray)[1] + T(row, 2) * (*ray)[2]) + T(row, 3);
+      }
+      const std::optional<Pixel> match = project(second.model, there);
+      if (!match || !second.image_size->holds(*match) || angle_from_axis(there) > 50.0 * kRadians) continue;
+      ++seen;
+      const cv::Point2d left = rectified_by_opencv(first, pixel, rotation_in(json["views"][0]), camera_in(json, 0));
+      const cv::Point2d right = rectified_by_opencv(second, *match, rotation_in(json["views"][1]), camera_in(json, 1));
+      ASSERT_NEAR(left.y, right.y, 0.05) << file << " " << pixel[0] << " " << pixel[1];
+    }
+    EXPECT_GT(seen, 500) << file;
+  }
+  EXPECT_GE(pairs, 3);
+}
+
 double value_in(const std::string& path, const std::string& key) {
   const cv::FileStorage storage(path, cv::FileStorage::READ);
   return static_cast<double>(storage[key]);
@@ -325,6 +398,55 @@ TEST(Rectify, ImagesOfFoldersKeepTheirNames) {
   EXPECT_EQ(told.json()["images"].Size(), 4U);
   // What is there stays.
   EXPECT_EQ(run_program({"rectify", file, folder / "l", folder / "r", "-o", folder / "out/"}).code, 4);
+}
+
+TEST(Rectify, RemapLikeACameraInfoIsImageProc) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("chain.yaml", chain(narrow()));
+  ASSERT_EQ(run_program({"rectify", file, "--to", "ros", "--maps", "-o", folder / "out/"}).code, 0);
+  const std::string camera = folder / "out/cam1.yaml";
+  const RunResult run = run_program({"remap", camera, "--like", camera, "--map", folder / "map.npy"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const cv::Mat2f map = read_npy(folder / "map.npy", 752, 480);
+  const cv::Mat2f expected = read_npy(folder / "out/right_map.npy", 752, 480);
+  for (int v = 0; v < map.rows; v += 7) {
+    for (int u = 0; u < map.cols; u += 7) {
+      ASSERT_EQ(std::isnan(map(v, u)[0]), std::isnan(expected(v, u)[0]));
+      if (std::isnan(map(v, u)[0])) continue;
+      ASSERT_NEAR(map(v, u)[0], expected(v, u)[0], 1e-3);
+      ASSERT_NEAR(map(v, u)[1], expected(v, u)[1], 1e-3);
+    }
+  }
+}
+
+// A small roll of the second camera moves the rows at the image's border by half its width times the angle.
+TEST(Rectify, StereoFeelsAnotherPose) {
+  const TemporaryFolder folder;
+  Pair rolled = narrow();
+  constexpr double kRoll = 2e-3;
+  rolled.R = turned(0.0, 0.0, kRoll) * narrow().R;
+  rolled.T = turned(0.0, 0.0, kRoll) * narrow().T;
+  const std::string file = folder.write("chain.yaml", chain(narrow()));
+  const Told told({"compare", file, folder.write("rolled.yaml", chain(rolled))});
+  const auto& pair = told.json()["files"][0]["pair"];
+  ASSERT_TRUE(pair.IsObject()) << told.text();
+  const double expected = kRoll * 0.5 * 752;
+  EXPECT_NEAR(pair["epipolar_max_px"].GetDouble(), expected, 0.25 * expected);
+  EXPECT_LT(pair["epipolar_rms_px"].GetDouble(), pair["epipolar_max_px"].GetDouble());
+  const Told same({"compare", file, file});
+  EXPECT_LE(same.json()["files"][0]["pair"]["epipolar_max_px"].GetDouble(), 1e-9);
+}
+
+TEST(Rectify, StereoFeelsAFit) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("chain.yaml", chain(wide()));
+  const auto pair_of = [&](const std::string& model) {
+    const Told told({"convert", file, "--to", "kalibr", "--model", model, "--dry-run"});
+    return told.json()["pair"]["epipolar_max_px"].GetDouble();
+  };
+  EXPECT_LE(pair_of("kb4"), 1e-6);
+  EXPECT_GT(pair_of("ucm"), 1e-3);
+  EXPECT_LT(pair_of("ds"), pair_of("ucm"));
 }
 
 TEST(Rectify, RefusesWhatIsNoPair) {
