@@ -4,8 +4,10 @@
 #include "layout.h"
 #include "numbers.h"
 
+#include <fca/rig/limits.h>
 #include <fca/rig/rotation.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fca::opencv {
@@ -24,6 +26,12 @@ std::optional<std::vector<double>> matrix_at(std::string_view key, int rows, int
 bool are_equal(double a, double b) {
   constexpr double kPrinted = 1e-6;
   return std::abs(a - b) <= kPrinted * std::abs(a);
+}
+
+/// Far beyond any image's.
+bool has_limits(double value) {
+  constexpr double kLargest = 1e9;
+  return std::abs(value) <= kLargest;
 }
 
 bool is_rotation(const Transform& R) {
@@ -60,7 +68,9 @@ std::optional<RectifiedPair> read_rectification(const text::Document& document) 
   pair.focal_lengths = {a[0], a[5]};
   pair.is_vertical = is_vertical;
   pair.offset_m = is_vertical ? -b[7] / b[5] : -b[3] / b[0];
-  return std::isfinite(pair.offset_m) ? std::optional(pair) : std::nullopt;
+  const bool is_in_limits = !problem_with_baseline(std::abs(pair.offset_m)).is_said() && std::ranges::all_of(a, has_limits) &&
+                            std::ranges::all_of(b, has_limits);
+  return is_in_limits ? std::optional(pair) : std::nullopt;
 }
 
 std::vector<fields::Field> rectification_fields(const RectifiedPair& pair) {

@@ -5,6 +5,7 @@
 
 #include <fca/formats/opencv_coefficients.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/limits.h>
 #include <fca/rig/rotation.h>
 
 #include <algorithm>
@@ -20,6 +21,8 @@ constexpr std::array<std::string_view, 2> kSides = {"LEFT", "RIGHT"};
 constexpr std::array<std::string_view, 2> kNames = {"left", "right"};
 
 using Values = std::vector<double>;
+
+constexpr double kLargest = 1e9;  // of P, far beyond any image's
 
 /// One of the two cameras.
 struct Side {
@@ -102,7 +105,10 @@ std::optional<RectifiedPair> read_left_right(const text::Document& document) {
   if (!(P[0][0] > 0.0 && P[0][5] > 0.0) || !alike(0) || !alike(5) || P[1][3] == 0.0) return std::nullopt;
   pair.focal_lengths = {P[0][0], P[0][5]};
   pair.offset_m = (P[0][3] - P[1][3]) / P[0][0];
-  return std::isfinite(pair.offset_m) ? std::optional(pair) : std::nullopt;
+  const auto has_limits = [](double value) { return std::abs(value) <= kLargest; };
+  const bool is_in_limits = !problem_with_baseline(std::abs(pair.offset_m)).is_said() &&
+                            std::ranges::all_of(P[0], has_limits) && std::ranges::all_of(P[1], has_limits);
+  return is_in_limits ? std::optional(pair) : std::nullopt;
 }
 
 std::optional<std::vector<double>> coefficients_of(const CameraModel& model) {

@@ -65,12 +65,9 @@ class Sums {
   int seen_ = 0;
 };
 
-}  // namespace
-
-std::optional<VerticalDisparity> vertical_disparity(const MeantCamera& first, const MeantCamera& second,
-                                                    const Transform& T_second_first, const RectifiedPair& pair,
-                                                    const ImageSize& size) {
-  constexpr int kSteps = 64;
+/// Over so many columns and rows.
+std::optional<VerticalDisparity> measured(int steps, const MeantCamera& first, const MeantCamera& second,
+                                          const Transform& T_second_first, const RectifiedPair& pair, const ImageSize& size) {
   constexpr double kDistance = 10.0;  // baselines
   const View here(first, pair, 0);
   const View there(second, pair, 1);
@@ -78,27 +75,38 @@ std::optional<VerticalDisparity> vertical_disparity(const MeantCamera& first, co
   const std::array<double, 3> t = translation_of(T_second_first);
   const std::size_t across = pair.is_vertical ? 0 : 1;
   std::array<Sums, 2> sums;  // at infinity, at ten baselines
-  for (int i = 0; i < kSteps; ++i) {
-    for (int j = 0; j < kSteps; ++j) {
-      const Pixel pixel = {(size.width - 1.0) * i / (kSteps - 1), (size.height - 1.0) * j / (kSteps - 1)};
+  for (int i = 0; i < steps; ++i) {
+    for (int j = 0; j < steps; ++j) {
+      const Pixel pixel = {(size.width - 1.0) * i / (steps - 1), (size.height - 1.0) * j / (steps - 1)};
       const std::optional<Ray> ray = here.source_ray(pixel);
       if (!ray) continue;
       const Ray turned = rotated(T_second_first, *ray);
       const Ray near = {distance_m * turned[0] + t[0], distance_m * turned[1] + t[1], distance_m * turned[2] + t[2]};
       for (std::size_t k = 0; k < 2; ++k) {
         const std::optional<Pixel> match = there.rectified(k == 0 ? turned : near);
-        if (match && size.holds(*match)) sums.at(k).add(pixel, (*match).at(across) - pixel.at(across));
+        if (match && size.holds(*match)) sums.at(k).add(pixel, match->at(across) - pixel.at(across));
       }
     }
   }
-  const std::optional<RowDifference> far_away = sums[0].result(kSteps * kSteps);
-  const std::optional<RowDifference> near = sums[1].result(kSteps * kSteps);
+  const std::optional<RowDifference> far_away = sums[0].result(steps * steps);
+  const std::optional<RowDifference> near = sums[1].result(steps * steps);
   if (!far_away || !near) return std::nullopt;
   return VerticalDisparity{*far_away, *near};
 }
 
+}  // namespace
+
+std::optional<VerticalDisparity> vertical_disparity(const MeantCamera& first, const MeantCamera& second,
+                                                    const Transform& T_second_first, const RectifiedPair& pair,
+                                                    const ImageSize& size) {
+  constexpr int kSteps = 64;
+  return measured(kSteps, first, second, T_second_first, pair, size);
+}
+
 std::optional<PairError> pair_error(const MeantCamera& first, const MeantCamera& second, const Transform& T_second_first,
                                     const Transform& T_meant) {
+  const bool is_kept = first.meant == first.source.model && second.meant == second.source.model && T_meant == T_second_first;
+  if (is_kept) return PairError{first.source.name, second.source.name, {}};
   const auto meant = [](const MeantCamera& camera) {
     Camera result = camera.source;
     result.model = camera.meant;
@@ -109,7 +117,8 @@ std::optional<PairError> pair_error(const MeantCamera& first, const MeantCamera&
   options.valid_regions = false;
   const std::optional<RectifiedPair> pair = rectify(meant(first), meant(second), T_meant, options, unheard);
   if (!pair) return std::nullopt;
-  const std::optional<VerticalDisparity> disparity = vertical_disparity(first, second, T_second_first, *pair, *pair->size);
+  constexpr int kSteps = 32;
+  const std::optional<VerticalDisparity> disparity = measured(kSteps, first, second, T_second_first, *pair, *pair->size);
   return disparity ? std::optional(PairError{first.source.name, second.source.name, *disparity}) : std::nullopt;
 }
 
