@@ -8,9 +8,11 @@
 #include "stereo_rectify.h"
 
 #include <fca/code.h>
+#include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace fca {
@@ -44,6 +46,21 @@ std::optional<RectifiedPair> computed(const RectifyRequest& request, const Sourc
   for (std::size_t i = 0; i < 2; ++i) theirs->views.at(i).valid = valid_region(source.cameras.at(i), *theirs, i, *ours->size);
   result.ours = std::move(ours);
   return theirs;
+}
+
+/// A file's rectification is taken as it is, also where its pose is another one.
+void warn_of_contradiction(const SourcePair& source, const RectifiedPair& pair, const std::string& file,
+                           Diagnostics& diagnostics) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  constexpr double kMmPerM = 1000.0;
+  const Transform stated = pose_of(pair);
+  const double angle = kDegrees * angle_between(stated, source.T_second_first);
+  const double metres = distance_between(stated, source.T_second_first);
+  constexpr double kNoticeable = 0.05;  // deg
+  if (angle <= kNoticeable && metres <= 0.005 * distance_of(source.T_second_first)) return;
+  const Message facts = {Code::kRectificationContradicts,
+                         {source.cameras[0].name, source.cameras[1].name, angle, kMmPerM * metres}};
+  diagnostics.add({Severity::kWarning, facts, {file, 0, 0}});
 }
 
 /// The left or upper camera first.
@@ -98,6 +115,7 @@ bool run(const RectifyRequest& request, Files& files, RectifyResult& result) {
   std::optional<RectifiedPair> pair =
       result.is_stated ? as_stated(*source, result.diagnostics) : computed(request, *source, result);
   if (!pair) return false;
+  if (result.is_stated) warn_of_contradiction(*source, *pair, request.inputs.files.front(), result.diagnostics);
   result.size = *pair->size;
   result.pair = *std::move(pair);
   put_in_order(*std::move(source), result);

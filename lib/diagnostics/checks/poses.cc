@@ -95,7 +95,7 @@ std::span<const CodeInfo> pose_check_codes() {
       about_poses(error(Code::kPairTurned, "pair-turned", "{0} and {1} are a stereo pair, and their axes are {2:.3} deg apart",
                         "choose two cameras that look the same way; or the rotation is another one's")),
       about_poses(warning(Code::kPairFarApart, "pair-far-apart", "{0} and {1} are a stereo pair, and stand {2:.3} m apart",
-                          kDivideIfSo)),
+                          "compare it with the rig: another unit, or another pair's translation?")),
       about_poses(error(Code::kRectificationContradicts, "rectification-contradicts",
                         "the rectification of {0} and {1} puts them {2:.3} deg and {3:.3} mm from where their pose does",
                         "rectify the pair again, from that pose")),
