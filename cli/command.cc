@@ -7,6 +7,7 @@
 #include "commands/evaluate/evaluate_command.h"
 #include "commands/lists/list_commands.h"
 #include "commands/points/project_command.h"
+#include "commands/rectify/rectify_command.h"
 #include "commands/remap/remap_command.h"
 #include "commands/report/report_command.h"
 #include "commands/show/show_command.h"
@@ -34,6 +35,7 @@ ExitCode run_words(std::span<const std::string> words, Streams& streams, const O
   add_compare_command(application);
   add_report_command(application);
   add_remap_command(application);
+  add_rectify_command(application);
   add_project_commands(application);
   add_list_commands(application);
   add_evaluate_command(application);

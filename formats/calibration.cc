@@ -100,6 +100,9 @@ void rename_apart(const Rig& rig, const Format& format, Rig& part) {
     for (ExtraField& extra : part.extra_fields) {
       if (extra.owner == old) extra.owner = name;
     }
+    for (RectifiedPair::View& view : part.rectified ? std::span(part.rectified->views) : std::span<RectifiedPair::View>()) {
+      if (view.camera == old) view.camera = name;
+    }
     camera.name = name;
     names.emplace(old, name);
   }
@@ -139,6 +142,7 @@ bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics
   for (const Frame& frame : part.frames) rig.add_frame(frame.name, frame.kind);
   rig.extra_fields.insert(rig.extra_fields.end(), part.extra_fields.begin(), part.extra_fields.end());
   if (!rig.baseline_m) rig.baseline_m = part.baseline_m;
+  if (!rig.rectified) rig.rectified = part.rectified;
   return good;
 }
 
@@ -290,6 +294,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
       return std::nullopt;
     }
     if (parts.size() == 1 && !result.rigs.empty() && !tells(options)) result.rigs[i] = rig;
+    const bool rectified_here = rig->rectified && !result.rig.rectified;
     if (main_file) {
       result.format = detected.format;
       result.why = detected.why;
@@ -305,6 +310,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
     const auto own = std::span(result.rig.poses).subspan(files.size());
     if (detected.format->leaves_unit_open() && options.length_unit_m) {
       for (PoseEdge& edge : own) scale_translation(*options.length_unit_m, edge.T_a_b);
+      if (rectified_here) result.rig.rectified->offset_m *= *options.length_unit_m;
       result.poses_in_told_unit += own.size();
     } else if (detected.format->leaves_unit_open()) {
       result.poses_without_unit.insert(result.poses_without_unit.end(), own.begin(), own.end());
@@ -352,6 +358,12 @@ std::optional<Written> write_calibration(const Format& format, const text::Docum
     if (says_more) file.says = read_back(format, file, rig, *written);
   }
   written->poses = poses_in(format, *written);
+  if (rig.rectified && rig.rectified->sources.empty() && !written->states_rectification) {
+    const RectifiedPair& pair = *rig.rectified;
+    written->losses.push_back(lost(Code::kRectificationDropped, pair.views[0].camera, "",
+                                   {pair.views[1].camera, pair.focal_lengths[0], std::abs(pair.offset_m),
+                                    Message{Code::kFilesHaveNoPlace, {format.title}}}));
+  }
   const std::vector<Loss> poses = lost_poses(format, rig, *written);
   written->losses.insert(written->losses.end(), poses.begin(), poses.end());
   return written;

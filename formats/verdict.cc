@@ -284,6 +284,16 @@ void add_strange_pair(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   }
 }
 
+/// What the fits of both cameras do to a stereo pair: no pixel of either need be far off.
+void add_epipolar_error(const VerdictFacts& facts, std::vector<Reason>& reasons) {
+  if (facts.pair == nullptr) return;
+  const VerdictWord word = word_of(facts.pair->rms_px(), kRmsPx);
+  if (word == VerdictWord::kReady) return;
+  reasons.push_back({.word = word,
+                     .facts = {Code::kVerdictEpipolarError,
+                               {facts.pair->first, facts.pair->second, facts.pair->rms_px(), facts.pair->max_px()}}});
+}
+
 /// The model of a camera as the program reads it; of a file that was not asked about, as the rig has it.
 std::string_view model_read(const std::string& camera, const VerdictFacts& facts) {
   for (const ProofResult& proof : facts.proofs) {
@@ -488,6 +498,7 @@ Verdict decide(const VerdictFacts& facts) {
   if (facts.outside_lens > kNearlyAll) verdict.reasons.push_back({.facts = {Code::kVerdictLensGiven, {facts.outside_lens}}});
   add_contradictions(facts, verdict.reasons);
   add_missing_poses(facts, verdict.reasons);
+  add_epipolar_error(facts, verdict.reasons);
   add_strange_pair(facts, verdict.reasons);
   add_vertical_pair(facts, verdict.reasons);
   add_findings(facts, verdict.reasons);

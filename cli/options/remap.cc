@@ -115,17 +115,24 @@ void add_view_options(Options& options, RemapArguments& arguments, const std::sh
                      if (std::optional<std::string> problem = take_model(word, view.model)) return problem;
                      return take_view(view, request, *typed);
                    });
-  options.value("--like", "FILE", "As the camera of this calibration file: its only one, or that of the same name",
-                [&request, typed](const std::string& word) { return take_view(CameraOfFile{word}, request, *typed); });
+  options.value(
+      "--like", "FILE",
+      "As the camera of this calibration file: its only one, or that of the same name; of a ROS camera_info the image that "
+      "image_proc rectifies by R and P",
+      [&request, typed](const std::string& word) { return take_view(CameraOfFile{word}, request, *typed); });
   options.value("--rotate", "YAW,PITCH,ROLL",
                 "Turn the camera, in degrees: first yaw (about y: positive to the right), then pitch (about its x: positive "
                 "up), then roll (about its z: positive clockwise)",
                 [&request](const std::string& word) { return take_turn(word, request.turn); });
-  options.value("--interpolation", "KIND", "bilinear (default) or lanczos, as OpenCV does them",
-                [&arguments](const std::string& word) { return take_interpolation(word, arguments.interpolation); });
+  add_interpolation_option(options, arguments.interpolation);
 }
 
 }  // namespace
+
+void add_interpolation_option(Options& options, Interpolation& target) {
+  options.value("--interpolation", "KIND", "bilinear (default) or lanczos, as OpenCV does them",
+                [&target](const std::string& word) { return take_interpolation(word, target); });
+}
 
 void add_remap_options(Options& options, RemapArguments& arguments) {
   RemapRequest& request = arguments.request;

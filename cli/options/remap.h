@@ -23,6 +23,9 @@ struct RemapArguments {
   bool json = false;
 };
 
+/// --interpolation
+void add_interpolation_option(Options& options, Interpolation& target);
+
 void add_remap_options(Options& options, RemapArguments& arguments);
 
 }  // namespace fca::cli

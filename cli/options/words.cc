@@ -2,6 +2,7 @@
 #include "words.h"
 
 #include <fca/code.h>
+#include <fca/folded_name.h>
 #include <fca/formats/program_names.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
@@ -145,6 +146,11 @@ std::optional<std::string> take_target(const std::string& word, ConvertRequest& 
 }
 
 std::optional<std::string> take_model(const std::string& word, const ModelInfo*& target) {
+  // The name by which ORB-SLAM3's files call a pinhole: images become rectified by more than a model.
+  if (folded(word) == "rectified") {
+    return "--model rectified would change the lens and not the images; fca-io rectify FILE --to orbslam3 rectifies a pair and "
+           "writes its settings";
+  }
   target = find_model(word);
   return target != nullptr ? std::nullopt : std::optional(unknown_model(word));
 }

@@ -36,4 +36,6 @@ std::optional<Image> remapped(const Image& image, const ImageMap& map, Interpola
   return functions().remapped(image, map, interpolation);
 }
 
+std::optional<OpenCvRectification> stereo_rectified(const OpenCvPair& pair) { return functions().stereo_rectify(pair); }
+
 }  // namespace fca::cli

@@ -47,7 +47,10 @@ extern "C" __attribute__((visibility("default"))) const char* fca_module_build()
 
 extern "C" __attribute__((visibility("default"))) const void* fca_picture_functions() {
   namespace module = fca::cli::module;
-  static constexpr fca::cli::PictureFunctions kFunctions = {
-      .png = &png_bytes, .decoded = &module::decoded_image, .encoded = &module::encoded_image, .remapped = &fca::remapped};
+  static constexpr fca::cli::PictureFunctions kFunctions = {.png = &png_bytes,
+                                                            .decoded = &module::decoded_image,
+                                                            .encoded = &module::encoded_image,
+                                                            .remapped = &fca::remapped,
+                                                            .stereo_rectify = &fca::stereo_rectify};
   return &kFunctions;
 }

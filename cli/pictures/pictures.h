@@ -3,6 +3,8 @@
 // which is loaded when a picture is asked for; these functions are its door.
 #pragma once
 
+#include "toolkit/rectify/stereo_rectify.h"
+
 #include <fca/toolkit/image.h>
 
 #include <fca/remap/image_map.h>
@@ -34,5 +36,8 @@ struct Picture {
 [[nodiscard]] std::optional<std::string> encoded(const Image& image, const std::string& extension);
 /// cv::remap: the image through a map, 0 where the map lies outside of it. Sides are to be shorter than 32,767.
 [[nodiscard]] std::optional<Image> remapped(const Image& image, const ImageMap& map, Interpolation interpolation);
+
+/// cv::stereoRectify, or cv::fisheye's.
+[[nodiscard]] std::optional<OpenCvRectification> stereo_rectified(const OpenCvPair& pair);
 
 }  // namespace fca::cli

@@ -99,11 +99,12 @@ constexpr std::array kHints = {
     OptionHint{Code::kOrbslam3ModelNotStorable, text::Part::kFix,
                "--model radtan for ORB-SLAM2, --model eucm for slam_no_opt; or leave out the layout"},
     OptionHint{Code::kOrbslam3PairNotStorable, text::Part::kFix,
-               "--orbslam3-layout v1 has both; --sensor mono writes the first camera alone; or rectify the images"},
+               "--orbslam3-layout v1 has both; --sensor mono writes the first camera alone; fca-io rectify rectifies the pair"},
     OptionHint{Code::kOrbslam3PairVertical, text::Part::kFix,
                "turn both images by 90 deg and calibrate those; --sensor mono takes one camera"},
-    OptionHint{Code::kOrbslam3PairNotRectified, text::Part::kFix,
-               "give the camera of the rectified images (P1 of cv::stereoRectify); --sensor mono leaves the pair out"},
+    OptionHint{
+        Code::kOrbslam3PairNotRectified, text::Part::kFix,
+        "fca-io rectify makes the camera of rectified images (P1 of cv::stereoRectify); --sensor mono leaves the pair out"},
     OptionHint{Code::kOrbslam3NothingShared, text::Part::kFix,
                "is their pose right (show says it in words)? --sensor mono takes one camera"},
     OptionHint{Code::kOrbslam3ColumnsKept, text::Part::kFix, "--set KEY=VALUE writes another"},
@@ -113,7 +114,7 @@ constexpr std::array kHints = {
                "a second camera (--join CAM0 CAM1, or --baseline METRES for one of a rectified pair)"},
     OptionHint{Code::kOrbslam3LacksSecondRectified, text::Part::kText,
                "a second camera (--join CAM0 CAM1): one camera and a baseline are a pair only where the images are rectified, "
-               "without distortion, and {0} is {1} with distortion (rectify with cv::stereoRectify, or --sensor rgbd for a "
+               "without distortion, and {0} is {1} with distortion (fca-io rectify does that; --sensor rgbd for a "
                "depth sensor)"},
     OptionHint{Code::kVerdictNoCommonView, text::Part::kFix, "leave out --sensor, or choose others with --camera"},
     OptionHint{Code::kVerdictNoPose, text::Part::kFix, "give a file that contains it, too (--with FILE)"},
@@ -306,6 +307,16 @@ constexpr std::array kHints = {
     OptionHint{Code::kViewOfSeveralCameras, text::Part::kText,
                "--like wants a file with one camera, or with one named {0}; this one has {1}"},
     OptionHint{Code::kLedgerSizeAsked, text::Part::kText, "nothing: the error asks for the image size (--size)"},
+    OptionHint{Code::kRectifyNeedsPair, text::Part::kFix, "give the file of the other camera, too: --with FILE"},
+    OptionHint{Code::kRectifyNoPose, text::Part::kFix, "give a file that states it, too: --with FILE"},
+    OptionHint{Code::kRectifyNothingShared, text::Part::kFix, "choose two that look the same way: --camera A,B"},
+    OptionHint{Code::kRectifyWhichPair, text::Part::kFix, "choose the two: --camera A,B"},
+    OptionHint{Code::kRectifyViewTooWide, text::Part::kFix, "--pinhole 100, or less"},
+    OptionHint{Code::kRectifyNoValidPart, text::Part::kFix, "check the pose, or ask for a view of a width: --pinhole 90"},
+    OptionHint{Code::kRectifyCentresDiffer, text::Part::kFix, "--alpha 0 or --pinhole DEG computes another view"},
+    OptionHint{Code::kRectifyModelNotKnown, text::Part::kFix, "--to orbslam3 writes settings for rectified images"},
+    OptionHint{Code::kRectificationDropped, text::Part::kFix, "fca-io rectify --to orbslam3, ros or opencv writes it"},
+    OptionHint{Code::kRectificationOfOtherImages, text::Part::kFix, "fca-io rectify computes another one"},
     OptionHint{Code::kFileExists, text::Part::kText, "{0} exists; --force overwrites it"},
 };
 

@@ -2,10 +2,12 @@
 #include "compose.h"
 
 #include "blocks.h"
+#include "rectification.h"
 
 #include <fca/code.h>
 #include <fca/formats/file_name.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/rectify/rectify.h>
 
 #include <algorithm>
 
@@ -71,6 +73,13 @@ class Text {
   std::vector<std::string> lines_;
 };
 
+/// cv::stereoRectify and cv::fisheye::stereoRectify have these matrices, cv::omnidir others. The file's cameras are the pair's,
+/// in its order.
+bool holds_rectification(std::string_view layout, const Rig& rig) {
+  return layout == "stereo" && !any_omnidir(rig) && states_rectification(rig) &&
+         rig.rectified->views[0].camera == rig.cameras[0].name;
+}
+
 std::optional<Written::File> compose_file(const Rig& rig, const std::string& name, Syntax syntax, const std::string& file_name,
                                           Diagnostics& diagnostics) {
   Layout layout = new_layout(name, rig.cameras.size(), all_of_kind(rig, Kind::kOmnidir));
@@ -85,6 +94,9 @@ std::optional<Written::File> compose_file(const Rig& rig, const std::string& nam
   const FieldMaker maker(rig, layout, nullptr);
   Text text(syntax);
   for (const fields::Field& field : maker.root(std::vector<bool>(rig.cameras.size(), false))) text.add(field);
+  if (holds_rectification(name, rig)) {
+    for (const fields::Field& field : rectification_fields(*rig.rectified)) text.add(field);
+  }
   if (layout.in_maps()) {
     for (std::size_t i = 0; i < rig.cameras.size(); ++i)
       text.add_map(layout.cameras[i].map, maker.map(i, layout.cameras[i], false));
@@ -142,6 +154,7 @@ bool compose(const Rig& rig, const std::string& layout, Syntax syntax, std::stri
     std::optional<Written::File> file = compose_file(rig, layout, syntax, name + extension, diagnostics);
     if (!file) return false;
     written.files.push_back(*std::move(file));
+    written.states_rectification = holds_rectification(layout, rig);
     return true;
   }
   for (const Camera& camera : rig.cameras) {

@@ -7,6 +7,7 @@
 //                fisheye_model 0/1; xi: cv::omnidir
 //   a pair       the same names with 1/2, _left/_right, L/R: M1 D1 M2 D2, K1 D1 .., camera_matrix_left ..; R, T:
 //                p_2 = R p_1 + T, metres if nothing else is said; or R and T alone, in a file of their own
+//                R1 R2 P1 P2 Q: its rectification (cv::stereoRectify)
 //   maps         camera_0, camera_1, .. with camera_matrix, distortion_vector, distortion_type 0/1, img_width, img_height,
 //                camera_pose_matrix (camera -> reference of its camera_group)
 //   MATLAB       IntrinsicMatrix1 (transposed), RadialDistortion1, TangentialDistortion1, RotationOfCamera2, ..

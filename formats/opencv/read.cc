@@ -3,6 +3,7 @@
 #include "lens.h"
 #include "numbers.h"
 #include "opencv.h"
+#include "rectification.h"
 
 #include "../fields.h"
 #include "../rotation_vector.h"
@@ -32,6 +33,7 @@ class CalibrationReader {
     for (std::size_t i = 0; i < layout_.cameras.size(); ++i) read_camera(layout_.cameras[i], "cam" + std::to_string(i), rig);
     read_count();
     read_stereo_pose(rig);
+    rig.rectified = read_rectification(document_);
     keep_unread(rig);
     reader_.warn_of_misspelt();
   }
@@ -218,7 +220,9 @@ class CalibrationReader {
           rig.extra_fields.push_back({owner, entry.key.value, value_text(entry.value)});
       }
     };
-    keep(document_.root(), keys_of(layout_, ""), "");
+    std::vector<std::string> read = keys_of(layout_, "");
+    if (rig.rectified) read.insert(read.end(), kRectificationKeys.begin(), kRectificationKeys.end());
+    keep(document_.root(), read, "");
     for (const CameraKeys& keys : layout_.cameras) {
       if (!keys.map.empty()) keep(mapping_of(document_, keys), keys_of(layout_, keys.map), keys.map);
     }
@@ -251,6 +255,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
     if (found.has_errors()) return std::nullopt;
     rig.cameras.insert(rig.cameras.end(), part.cameras.begin(), part.cameras.end());
     rig.poses.insert(rig.poses.end(), part.poses.begin(), part.poses.end());
+    if (!rig.rectified) rig.rectified = part.rectified;
     rig.extra_fields.insert(rig.extra_fields.end(), part.extra_fields.begin(), part.extra_fields.end());
   }
   return rig;

@@ -120,6 +120,7 @@ std::optional<Written> write_pose(const text::Document& base, const Rig& rig, Di
   list_losses_beside_pose(rig, {second, first, {}}, written.losses);
   list_extras(rig.extra_fields, old->extra_fields, written.losses);
   list_losses(rig, written.losses);
+  written.states_rectification = old->rectified == rig.rectified;
   return written;
 }
 
@@ -199,6 +200,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     edited->stale.tell(*base, written.losses, diagnostics);
     list_extras(rig.extra_fields, edited->old.extra_fields, written.losses);
     list_lost_sizes(rig, edited->layout, written.losses);
+    written.states_rectification = edited->old.rectified == rig.rectified;
   } else {
     const std::optional<std::string> layout = choose_layout(base, rig, options, diagnostics);
     if (!layout) return std::nullopt;

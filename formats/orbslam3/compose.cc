@@ -52,7 +52,7 @@ constexpr std::array kHeadings = {
     Heading{"Camera2.fx", "Second camera"},
     Heading{"Stereo.T_c1_c2", "Second camera in the first: p_c1 = T p_c2, metres"},
     Heading{"Tlr", "Right camera in the left: p_left = Tlr p_right, metres"},
-    Heading{"LEFT.height", "Both cameras again, as slam_no_opt reads them for stereo"},
+    Heading{"LEFT.height", "Both cameras as they take the images, for stereo"},
     Heading{"CAMERA.R", "p_right = R p_left + T, metres"},
     Heading{"Camera.width", "Image"},
     Heading{"Camera.bf", "Baseline times fx"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "layout.h"
+#include "left_right.h"
 #include "orbslam3.h"
 
 #include "../fields.h"
@@ -37,6 +38,7 @@ class SettingsReader {
     warn_if_eucm_without_type(rig.cameras.front());
     read_second_camera(*layout, rig);
     read_baseline(rig);
+    if (style_ == Style::kOrbSlam2 || style_ == Style::kOld) rig.rectified = read_left_right(document_);
     read_imu(rig);
     keep_unread(rig);
     reader_.warn_of_misspelt();

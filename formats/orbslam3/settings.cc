@@ -2,6 +2,7 @@
 #include "settings.h"
 
 #include "columns.h"
+#include "left_right.h"
 
 #include <fca/code.h>
 #include <fca/rig/rotation.h>
@@ -85,6 +86,14 @@ void add_stereo(const Rig& rig, const Target& target, std::vector<Field>& fields
       fields::matrix(std::string(pose_keys(target.style).T_c1_c2), std::span(T.values).first(v1 ? 16 : 12), 4, "f"));
   for (const OverlapColumn& column : overlap_columns(rig, target))
     fields.push_back(target.tuning.field(*column.key, target.style, column.computed));
+}
+
+/// By which ORB-SLAM2 rectifies the images.
+void add_rectification(const Rig& rig, const Target& target, std::vector<Field>& fields) {
+  if (!target.states_rectification || !target.sensor.two_cameras || !rig.rectified || rig.rectified->sources.size() != 2)
+    return;
+  const std::vector<Field> added = left_right_fields(*rig.rectified);
+  fields.insert(fields.end(), added.begin(), added.end());
 }
 
 void add_image(const Rig& rig, const Target& target, std::vector<Field>& fields) {
@@ -228,6 +237,7 @@ std::vector<Field> settings_fields(const Rig& rig, const Target& target) {
   add_image(rig, target, fields);
   add_depth(rig, target, fields);
   add_delay(rig, target, fields);
+  add_rectification(rig, target, fields);
   add_imu(rig, target, fields);
   add_program_tuning(target, fields);
   return fields;

@@ -46,6 +46,7 @@ struct Target {
   std::optional<double> max_angle_rad = {};  ///< What counts as lens, from the axis.
   bool states_delay = false;                 ///< The base states the first camera's time offset, under kDelayKey.
   std::string_view imu_pose_key = {};  ///< Under which the base states the first camera's pose, also where no mode asks for it.
+  bool states_rectification = false;   ///< ORB-SLAM2's LEFT.* and RIGHT.*, of Rig::rectified.
 };
 
 /// Two cameras of one pair whose images are already rectified: one set of intrinsics without distortion, and a baseline.

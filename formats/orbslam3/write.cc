@@ -120,6 +120,7 @@ void list_mode_losses(const Rig& rig, const Target& target, const Base* edited, 
 void list_extras(std::span<const ExtraField> extras, const std::vector<fields::Field>& fields, std::vector<Loss>& losses) {
   std::vector<ExtraField> lost;
   std::ranges::copy_if(extras, std::back_inserter(lost), [&fields](const ExtraField& extra) {
+    if (extra.owner.empty() && std::ranges::find(fields, extra.key, &fields::Field::key) != fields.end()) return false;
     const TuningKey* key = extra.owner.empty() ? find_tuning_key(extra.key) : nullptr;
     return key == nullptr || std::ranges::none_of(fields, [key](const fields::Field& field) {
              return field.key == key->key || field.key == key->old_key;
@@ -313,6 +314,8 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
     target.states_delay = base->target.states_delay;
     if (!leaves_inertial && (options.sensor.empty() || target.sensor.inertial)) target.imu_pose_key = base->target.imu_pose_key;
   }
+  const bool is_fresh = base == nullptr || options.anew || base->target.style != target.style;
+  target.states_rectification = is_fresh && target.style == Style::kOrbSlam2;
   if (!check_rates(rig, target, diagnostics)) return std::nullopt;
   if (const std::optional<double> order = colour_order_of(rig)) target.tuning.take(tuning_key::kColourOrder, *order);
   return target;

@@ -2,6 +2,7 @@
 #include "camera_info.h"
 #include "ini.h"
 #include "layout.h"
+#include "rectification.h"
 #include "ros.h"
 
 #include <fca/code.h>
@@ -81,6 +82,7 @@ const Format kFormat = {
     .probe = probe,
     .layout_holds = layout_holds,
     .as_stated = as_stated,
+    .complete = find_rectified_pair,
     .read = read,
     .write = write,
 };

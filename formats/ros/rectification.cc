@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rectification.h"
 
+#include <fca/formats/rectified_image.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/rectify/rectify.h>
 #include <fca/rig/rotation.h>
 #include <fca/rig/stereo_order.h>
 
@@ -85,10 +87,15 @@ Matrix3 rotation_of(const std::array<Vector, 3>& rows) {
   return R;
 }
 
+Matrix3 matrix_of(const Transform& T) {
+  return {T(0, 0), T(0, 1), T(0, 2), T(1, 0), T(1, 1), T(1, 2), T(2, 0), T(2, 1), T(2, 2)};
+}
+
 /// What a camera's file states of it.
 struct Stated {
   std::optional<PoseEdge> place;         ///< T_frame_camera in a rectified frame.
   std::optional<Projection> projection;  ///< Where P is not [K | ..].
+  bool is_reduced = false;               ///< P is of the whole sensor, and the camera of a part of it.
 };
 
 std::optional<Projection> parsed(const std::string& list) {
@@ -115,10 +122,9 @@ Stated stated_of(const Rig& rig, const Camera& camera) {
     if (const std::optional<Transform> T = inverse(edge.T_a_b)) stated.place = PoseEdge{edge.b, edge.a, *T};
   }
   const auto find = [&](std::string_view key) { return rig.find_extra_field(camera.name, key); };
-  // P is of the whole sensor; a camera of a part of it is not.
-  const bool reduced = std::ranges::any_of(kReductionKeys, [&](std::string_view key) { return find(key) != nullptr; });
+  stated.is_reduced = std::ranges::any_of(kReductionKeys, [&](std::string_view key) { return find(key) != nullptr; });
   const ExtraField* extra = find(kProjection);
-  if (extra != nullptr && !reduced) stated.projection = parsed(extra->value);
+  if (extra != nullptr && !stated.is_reduced) stated.projection = parsed(extra->value);
   return stated;
 }
 
@@ -130,9 +136,7 @@ Rectified as_stated(const Camera& camera, const Stated& stated) {
   result.stated = stated.projection.has_value();
   if (!stated.place) return result;
   const Transform& T = stated.place->T_a_b;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) result.R.at(static_cast<std::size_t>(3 * row + column)) = T(row, column);
-  }
+  result.R = matrix_of(T);
   if (T(0, 3) != 0.0) result.P[3] = -result.P[0] * T(0, 3);
   if (T(1, 3) != 0.0) result.P[7] = -result.P[5] * T(1, 3);
   return result;
@@ -191,7 +195,69 @@ bool choose(const Rig& rig, const Transform& T_second_first, Rectification& resu
   return true;
 }
 
+/// The cameras of the pair that the rig states.
+void take_stated_pair(const Rig& rig, Rectification& result) {
+  const RectifiedPair& pair = *rig.rectified;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto camera = std::ranges::find(rig.cameras, pair.views.at(i).camera, &Camera::name);
+    Rectified& rectified = result.cameras[static_cast<std::size_t>(camera - rig.cameras.begin())];
+    const auto& [fx, fy] = pair.focal_lengths;
+    const auto& [cx, cy] = pair.views.at(i).centre;
+    rectified.R = matrix_of(pair.views.at(i).T_rectified_camera);
+    rectified.P = projection_of({fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0});
+    rectified.stated = true;
+    if (i == 0) continue;
+    const std::size_t axis = pair.is_vertical ? 1 : 0;
+    rectified.P.at(4 * axis + 3) = -(axis == 0 ? fx : fy) * pair.offset_m;
+  }
+  result.stated = true;
+  const auto& [first, second] = pair.views;
+  const Transform T = pose_of(pair);
+  const Transform in_rig = *rig.resolve(second.camera, first.camera);
+  constexpr double kRounding = 1e-9;
+  if (largest_difference(T, in_rig).distance > kRounding || distance_between(T, in_rig) > kRounding)
+    result.restated = PoseEdge{second.camera, first.camera, T};
+}
+
 }  // namespace
+
+void find_rectified_pair(Rig& rig) {
+  struct Place {
+    const Camera* camera;
+    Stated stated;
+  };
+  std::vector<Place> places;
+  for (const Camera& camera : rig.cameras) {
+    Stated stated = stated_of(rig, camera);
+    if (stated.place && !stated.is_reduced) places.push_back({&camera, std::move(stated)});
+  }
+  const auto is_origin = [](const Transform& T) { return T(0, 3) == 0.0 && T(1, 3) == 0.0; };
+  for (const Place& first : places) {
+    if (!is_origin(first.stated.place->T_a_b)) continue;
+    for (const Place& second : places) {
+      const Transform& T = second.stated.place->T_a_b;
+      if (second.stated.place->a != first.stated.place->a || (T(0, 3) != 0.0) == (T(1, 3) != 0.0)) continue;
+      const std::array images = {as_stated(*first.camera, first.stated).P, as_stated(*second.camera, second.stated).P};
+      if (images[0][0] != images[1][0] || images[0][5] != images[1][5]) continue;
+      RectifiedPair pair;
+      pair.focal_lengths = {images[0][0], images[0][5]};
+      pair.is_vertical = T(1, 3) != 0.0;
+      pair.offset_m = pair.is_vertical ? T(1, 3) : T(0, 3);
+      for (std::size_t i = 0; i < 2; ++i) {
+        const Place& place = i == 0 ? first : second;
+        Transform R = place.stated.place->T_a_b;
+        R(0, 3) = R(1, 3) = 0.0;
+        pair.views.at(i) = {place.camera->name, R, {images.at(i)[2], images.at(i)[6]}};
+      }
+      rig.rectified = pair;
+      // P is all there now.
+      std::erase_if(rig.extra_fields, [&](const ExtraField& extra) {
+        return extra.key == kProjection && (extra.owner == first.camera->name || extra.owner == second.camera->name);
+      });
+      return;
+    }
+  }
+}
 
 Rectification rectification_of(const Rig& rig) {
   Rectification result;
@@ -199,6 +265,10 @@ Rectification rectification_of(const Rig& rig) {
   for (const Camera& camera : rig.cameras) {
     stated.push_back(stated_of(rig, camera));
     result.cameras.push_back(as_stated(camera, stated.back()));
+  }
+  if (states_rectification(rig)) {
+    take_stated_pair(rig, result);
+    return result;
   }
   if (rig.cameras.size() < 2) return result;
   const std::optional<Transform> T = rig.resolve(rig.cameras[1].name, rig.cameras[0].name);
@@ -213,3 +283,19 @@ Rectification rectification_of(const Rig& rig) {
 }
 
 }  // namespace fca::ros
+
+namespace fca {
+
+std::optional<RectifiedImage> rectified_image(const Rig& rig, const Camera& camera) {
+  const ros::Stated stated = ros::stated_of(rig, camera);
+  const ros::Rectified image = ros::as_stated(camera, stated);
+  const bool is_turned = stated.place && image.R != ros::kIdentity;
+  if (stated.is_reduced || !(is_turned || stated.projection)) return std::nullopt;
+  RectifiedImage result;
+  result.camera = camera;
+  result.camera.model = Intrinsics<Pinhole>{{image.P[0], image.P[5], image.P[2], image.P[6]}};
+  for (int i = 0; i < 9; ++i) result.T_rectified_camera(i / 3, i % 3) = image.R.at(static_cast<std::size_t>(i));
+  return result;
+}
+
+}  // namespace fca

@@ -21,15 +21,21 @@ struct Rectification {
   std::vector<Rectified> cameras;  ///< As in the rig.
   /// The first two cameras are a pair whose rectified image nobody stated: it was chosen here.
   bool chosen = false;
+  /// They are Rig::rectified's.
+  bool stated = false;
   /// They stand one above the other, and nobody stated that they are a pair: stereo_image_proc matches along rows.
   bool is_vertical = false;
   /// The pose of a chosen pair is no exact rotation; the nearest one was taken: T_second_first as the files say it.
   std::optional<PoseEdge> restated;
 };
 
-/// R and P are those of the pair that the files state (`extra_fields` and poses in rectified frames), where these still agree
-/// with the poses of the rig; else of two cameras beside each other that see something in common: both turned by half the
-/// rotation between them, and then so that their rows lie along the baseline. Further cameras are rectified alone.
+/// R and P are those of the pair that the rig states (Rig::rectified), or its files (`extra_fields` and poses in rectified
+/// frames), where these still agree with the poses of the rig; else of two cameras beside each other that see something in
+/// common: both turned by half the rotation between them, and then so that their rows lie along the baseline. Further cameras
+/// are rectified alone.
 [[nodiscard]] Rectification rectification_of(const Rig& rig);
+
+/// Of a rig whose files are all read: two cameras in one rectified frame, the first of them its origin, are a rectified pair.
+void find_rectified_pair(Rig& rig);
 
 }  // namespace fca::ros

@@ -287,6 +287,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     said.insert(said.end(), old->extra_fields.begin(), old->extra_fields.end());
   }
   list_restated(rectification, written);
+  written.states_rectification = rectification.stated;
   list_camera_losses(rig, "ROS", written.losses);
   add_beyond_base(rig.extra_fields, said, Message{Code::kRosHasNoPlace}, written.losses);
   if (old && !edits) {

@@ -44,6 +44,9 @@ std::span<const CodeInfo> loss_codes() {
       loss(Code::kImuDropped, "imu-dropped", "{0} noise and rate", "{2}",
            "keep its file, or write it to a file of its own, in a format that holds a complete IMU"),
       loss(Code::kBaselineDropped, "baseline-dropped", "{1} {3} m", "{2}", "keep it for programs that ask for it by itself"),
+      loss(Code::kRectificationDropped, "rectification-dropped",
+           "the rectified pair of {0} and {2} (fx {3:.6} px, baseline {4:.4} m)", "{5}",
+           "keep the input, or write settings of rectified images"),
       // {2}: the poses' names, {3}: a program, {4} and {5}: clauses.
       loss(Code::kPoseDropped, "pose-dropped", "{2}", "what is written for {3} does not say it{4}", "{5}"),
       clause(Code::kPosesOfGroupsKept, "; how {0:and} sit to each other is kept"),

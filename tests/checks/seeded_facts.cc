@@ -244,6 +244,72 @@ std::vector<Defect> defects() {
        "orbslam3",
        nullptr,
        false},
+      {"the second camera's images turned",
+       {"pair-rolled"},
+       [](Rig& rig) {
+         if (rig.cameras.size() != 2) return false;
+         for (PoseEdge& edge : rig.poses) {
+           if (edge.a.starts_with("imu") || edge.b.starts_with("imu")) continue;
+           Transform turn;
+           turn(0, 0) = turn(1, 1) = 0.0;
+           turn(0, 1) = -1.0;
+           turn(1, 0) = 1.0;
+           edge.T_a_b = edge.T_a_b * turn;
+           return true;
+         }
+         return false;
+       },
+       1,
+       "orbslam3",
+       nullptr,
+       false},
+      {"the second camera looks aside",
+       {"pair-turned"},
+       [](Rig& rig) {
+         if (rig.cameras.size() != 2) return false;
+         for (PoseEdge& edge : rig.poses) {
+           if (edge.a.starts_with("imu") || edge.b.starts_with("imu")) continue;
+           Transform turn;
+           turn(0, 0) = turn(2, 2) = 0.0;
+           turn(0, 2) = 1.0;
+           turn(2, 0) = -1.0;
+           edge.T_a_b = edge.T_a_b * turn;
+           return true;
+         }
+         return false;
+       },
+       1,
+       "orbslam3",
+       nullptr,
+       false},
+      {"a pose that is not the rectification's",
+       {"rectification-contradicts"},
+       [](Rig& rig) {
+         if (!rig.rectified || rig.stated("cam1", "cam0") == nullptr) return false;
+         for (PoseEdge& edge : rig.poses) {
+           if (edge.a == "cam1") edge.T_a_b(0, 3) *= 1.3;
+         }
+         return true;
+       },
+       1,
+       "opencv",
+       nullptr,
+       false},
+      {"a baseline of another head",
+       {"pair-far-apart"},
+       [](Rig& rig) {
+         const Transform* T = rig.cameras.size() == 2 ? rig.stated("cam1", "cam0") : nullptr;
+         if (T == nullptr || std::abs((*T)(0, 3)) > 0.3) return false;
+         for (PoseEdge& edge : rig.poses) {
+           if (edge.a == "cam1") edge.T_a_b(0, 3) = -2.7;
+         }
+         rig.rectified.reset();
+         return true;
+       },
+       1,
+       "opencv",
+       nullptr,
+       false},
       {"k1 copied over k2",
        {"coefficient-repeated"},
        [](Rig& rig) {

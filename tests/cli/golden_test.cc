@@ -177,7 +177,7 @@ TEST_P(Golden, SaysWhatItSaid) {
 
 INSTANTIATE_TEST_SUITE_P(Commands, Golden,
                          testing::Values("check", "compare", "convert", "evaluate", "formats", "models", "programs", "project",
-                                         "remap", "report", "show"),
+                                         "rectify", "remap", "report", "show"),
                          [](const auto& name) { return name.param; });
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace fca::test {
 namespace {
 
-const std::vector<std::string> kCommands = {"convert", "show",      "check",   "compare", "report",   "remap",
+const std::vector<std::string> kCommands = {"convert", "show",      "check",   "compare", "report",   "remap",   "rectify",
                                             "project", "unproject", "formats", "models",  "programs", "evaluate"};
 
 std::string help_of(const std::vector<std::string>& words) {

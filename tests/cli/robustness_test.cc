@@ -35,6 +35,8 @@ const std::vector<std::vector<std::string>> kCommands = {{"show"},
                                                          {"compare", testdata("formats/kalibr/good/tumvi.yaml")},
                                                          {"report", "--model", "eucm"},
                                                          {"remap", "--camera", "0", "--pinhole", "90", "--map", "map.npy"},
+                                                         {"rectify", "--to", "opencv"},
+                                                         {"rectify", "--maps", "-o", "maps/", "--json"},
                                                          {"project", "--camera", "0"},
                                                          {"unproject", "--camera", "0"}};
 
@@ -170,8 +172,8 @@ TEST(Robustness, ManyKeysAreReadInTime) {
 }
 
 TEST(Robustness, OptionsAloneDoNotCrash) {
-  for (const char* subcommand : {"convert", "show", "report", "remap", "project", "unproject", "formats", "models", "programs",
-                                 "--json", "-", "--", "", "."}) {
+  for (const char* subcommand : {"convert", "show", "report", "remap", "rectify", "project", "unproject", "formats", "models",
+                                 "programs", "--json", "-", "--", "", "."}) {
     const RunResult run = spawn_program({subcommand}, {.limit_seconds = kLimitSeconds});
     EXPECT_EQ(run.signal, 0) << subcommand;
     EXPECT_TRUE(run.code >= 0 && run.code <= 4) << subcommand << " " << run.code << run.err;

@@ -17,7 +17,7 @@ def commands_without_file():
     """Runs that no input has a say in."""
     return [["--help"], ["formats"], ["formats", "--json"], ["models"], ["models", "--json"], ["programs"],
             ["programs", "--json"], ["check", "--list-codes"]] + [
-                [command, "--help"] for command in ("show", "check", "compare", "convert", "report", "remap", "project",
+                [command, "--help"] for command in ("show", "check", "compare", "convert", "report", "remap", "rectify", "project",
                                                     "unproject", "evaluate", "formats", "models", "programs")]
 
 

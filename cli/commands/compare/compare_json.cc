@@ -5,6 +5,7 @@
 #include "shell/json.h"
 #include "shell/judgement_json.h"
 #include "shell/option_hints.h"
+#include "shell/pair_json.h"
 #include "shell/words.h"
 
 #include <fca/toolkit/format_name.h>
@@ -156,6 +157,7 @@ std::string compare_json(const ReferenceFile& reference, const std::vector<Compa
         json.put("verdict", verdict_of(compared));
         json.put("identical", is_identical(compared));
         json.put("inverse_px", compared.inverse_px);
+        put_pair(json, compared.pair);
         put_comparison(json, compared.comparison.value_or(RigComparison()));
         put_diagnostics(json, compared.diagnostics, console);
       });

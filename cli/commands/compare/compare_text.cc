@@ -99,6 +99,17 @@ std::string camera_text(const CameraComparison& camera, bool with_bands) {
   return text + corners_text(judgement);
 }
 
+/// Nothing of two that are alike.
+std::string pair_text(const ComparedFile& compared) {
+  constexpr double kNothingPx = 0.01;
+  if (!compared.pair || compared.pair->max_px() < kNothingPx) return "";
+  const PairError& pair = *compared.pair;
+  return "\nstereo\n" +
+         paragraph("images of " + pair.first + " and " + pair.second + " rectified by " + text::printable(compared.file) +
+                       ": epipolar error rms " + pixels(pair.rms_px()) + " px, max " + pixels(pair.max_px()) + " px",
+                   "  ");
+}
+
 std::string title_of(const Calibration& calibration) {
   return std::string(name_of(*calibration.format, calibration.documents[calibration.with_cameras]).title);
 }
@@ -113,6 +124,7 @@ std::string compare_text(const ReferenceFile& reference, const ComparedFile& com
                      title_of(*reference.calibration) + ")\n";
   text += numbers_text(comparison);
   for (const CameraComparison& camera : comparison.cameras) text += camera_text(camera, with_bands);
+  text += pair_text(compared);
   if (inverses_differ(compared)) {
     text += "\ninverse polynomials\n  world2cam, which goes by them, images the same rays up to " +
             pixels(*compared.inverse_px) + " px apart\n";

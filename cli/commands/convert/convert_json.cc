@@ -6,6 +6,7 @@
 #include "shell/json.h"
 #include "shell/judgement_json.h"
 #include "shell/option_hints.h"
+#include "shell/pair_json.h"
 #include "shell/parameters_json.h"
 #include "shell/verdict_json.h"
 
@@ -190,6 +191,7 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, std::span<const t
     });
   });
   put_proofs(json, outcome);
+  put_pair(json, outcome.pair);
   json.array("other_writings", outcome.others, [&](const OtherWriting& other) {
     json.object([&] {
       json.put("layout", other.layout);

@@ -64,6 +64,16 @@ SummaryLine line_of(const ConvertResult& outcome, const ConvertedCamera& camera)
   return {name_in_words(camera), text};
 }
 
+/// What stereo feels of the fits; not of lenses that are kept.
+void add_pair(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
+  constexpr double kNothingPx = 0.01;
+  if (!outcome.pair || outcome.pair->max_px() < kNothingPx) return;
+  const auto says_it = [](const Reason& reason) { return reason.facts.code == Code::kVerdictEpipolarError; };
+  if (std::ranges::any_of(outcome.verdict.reasons, says_it)) return;
+  lines.push_back(
+      {"pair", "epipolar error rms " + pixels(outcome.pair->rms_px()) + " px, max " + pixels(outcome.pair->max_px()) + " px"});
+}
+
 /// Parts of the image beyond the region that decides, of the camera that has most of them.
 void add_limits(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   double most = 0.0;
@@ -245,6 +255,7 @@ std::string summary_lines(const ConvertResult& outcome, bool is_short) {
   const Verdict verdict = is_short ? decisive(outcome.verdict) : outcome.verdict;
   for (SummaryLine& line : lines_of(verdict, false)) lines.push_back(std::move(line));
   add_refusals(outcome, lines);
+  add_pair(outcome, lines);
   add_limits(outcome, lines);
   add_given_lens(outcome, lines);
   add_other_writings(outcome, lines);

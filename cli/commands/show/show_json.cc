@@ -13,6 +13,8 @@
 #include <fca/rig/fields_of_view.h>
 #include <fca/toolkit/format_name.h>
 
+#include <cmath>
+
 namespace fca::cli {
 
 namespace {
@@ -76,6 +78,25 @@ void put_mode(Json& json, const ProgramReading::Mode& mode, bool lens_given) {
   json.put("warnings", std::span<const std::string>(misreadings(proof, lens_given)));
 }
 
+/// As the file states it.
+void put_rectified(Json& json, const std::optional<RectifiedPair>& pair) {
+  if (!pair) return json.null("rectified");
+  json.object("rectified", [&] {
+    json.put("vertical", pair->is_vertical);
+    json.put("fx", pair->focal_lengths[0]);
+    json.put("fy", pair->focal_lengths[1]);
+    json.put("baseline_m", std::abs(pair->offset_m));
+    json.array("views", pair->views, [&](const RectifiedPair::View& view) {
+      json.object([&] {
+        json.put("camera", view.camera);
+        json.put("cx", view.centre[0]);
+        json.put("cy", view.centre[1]);
+        json.put("T_rectified_camera", std::span<const double>(view.T_rectified_camera.values));
+      });
+    });
+  });
+}
+
 void put_file(Json& json, const ShownFile& shown, const Console& console) {
   json.put("file", shown.file);
   if (shown.calibration) {
@@ -94,6 +115,7 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
       });
     });
     json.put("baseline_m", calibration.rig.baseline_m);
+    put_rectified(json, calibration.rig.rectified);
     json.array("also_in_file", calibration.rig.extra_fields, [&](const ExtraField& extra) {
       json.object([&] {
         json.put("key", with_owner(extra));

@@ -201,6 +201,15 @@ std::string readings_text(const ShownFile& shown) {
   return text;
 }
 
+std::string rectified_text(const RectifiedPair& pair) {
+  return "\nrectified pair\n" +
+         paragraph(pair.views[0].camera + " and " + pair.views[1].camera + ": fx " + text::format_short(pair.focal_lengths[0]) +
+                       ", cx " + text::format_short(pair.views[0].centre[0]) + ", cy " +
+                       text::format_short(pair.views[0].centre[1]) + " px, baseline " +
+                       text::format_short(std::abs(pair.offset_m)) + " m; fca-io rectify uses it",
+                   "  ");
+}
+
 }  // namespace
 
 std::string show_text(const ShownFile& shown) {
@@ -216,6 +225,7 @@ std::string show_text(const ShownFile& shown) {
   for (const Imu& imu : calibration.rig.imus) text += imu_text(imu);
   if (calibration.rig.baseline_m)
     text += "\nbaseline of the rectified pair or depth sensor: " + text::format_short(*calibration.rig.baseline_m) + " m\n";
+  if (calibration.rig.rectified) text += rectified_text(*calibration.rig.rectified);
   if (!calibration.rig.poses.empty()) text += "\nposes\n";
   for (auto edge = calibration.rig.poses.begin(); edge != calibration.rig.poses.end(); ++edge) {
     // Two files of one calibration may state the same pose.

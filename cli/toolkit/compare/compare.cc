@@ -5,9 +5,11 @@
 #include <fca/code.h>
 #include <fca/compare/compare.h>
 #include <fca/formats/stated_as.h>
+#include <fca/rig/stereo_pair.h>
 #include <fca/toolkit/compare.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace fca {
@@ -114,6 +116,25 @@ void judge_rest(ComparedFile& compared) {
   if (!comparison.only_in_reference.empty()) exceed(compared, Code::kReferenceSaysMore, {comparison.only_in_reference});
 }
 
+/// What the other file would do to the images of the reference's pair.
+std::optional<PairError> pair_error_of(const Rig& reference, const Rig& other, const RigComparison& comparison) {
+  const auto places = stereo_pair(reference);
+  if (!places) return std::nullopt;
+  const std::array<const Camera*, 2> cameras = {&reference.cameras[places->first], &reference.cameras[places->second]};
+  std::array<const Camera*, 2> others{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto match = std::ranges::find(comparison.cameras, cameras.at(i)->name, &CameraComparison::reference);
+    if (match == comparison.cameras.end()) return std::nullopt;
+    others.at(i) = other.find_camera(match->other);
+    if (others.at(i) == nullptr || (others.at(i)->image_size && others.at(i)->image_size != cameras.at(i)->image_size))
+      return std::nullopt;
+  }
+  const std::optional<Transform> T = reference.resolve(cameras[1]->name, cameras[0]->name);
+  const std::optional<Transform> T_other = other.resolve(others[1]->name, others[0]->name);
+  if (!T || !T_other) return std::nullopt;
+  return pair_error({*cameras[0], others[0]->model}, {*cameras[1], others[1]->model}, *T, *T_other);
+}
+
 void apply_limits(const CompareRequest& request, const ReferenceFile& reference, ComparedFile& compared) {
   if (!request.max_error_px && !request.strict) return;
   for (const Mistake& mistake : compared.comparison->mistakes) exceed(compared, Code::kMistakeFound, {mistake.message});
@@ -144,6 +165,7 @@ ComparedFile compare(const CompareRequest& request, const ReferenceFile& referen
                                     .by_order = request.reference.cameras.has_value()};
     compared.comparison = compare(reference.calibration->rig, compared.calibration->rig, options, compared.diagnostics);
     name_poses_as_stated(*compared.calibration, compared.comparison->mistakes);
+    compared.pair = pair_error_of(reference.calibration->rig, compared.calibration->rig, *compared.comparison);
     if (request.reference.change.changes_nothing())
       compared.inverse_px = inverses_apart_px(*reference.calibration, *compared.calibration);
   }

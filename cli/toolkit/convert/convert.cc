@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert/limits.h"
 #include "convert/other_writings.h"
+#include "convert/pair_errors.h"
 #include "convert/start.h"
 #include "convert/stray_ray.h"
 #include "convert/writing.h"
@@ -183,6 +184,7 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
     if (result.lens_given && camera.report)
       facts.outside_lens = std::max(facts.outside_lens, camera.report->judgement.coverage.outside_lens);
   }
+  facts.pair = result.pair ? &*result.pair : nullptr;
   facts.accepted = request.accepted;
   Verdict verdict = decide(facts);
   add_remedies(request, start, before, result, verdict);
@@ -225,6 +227,7 @@ bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
     try_nearer_fit(request, start, before, result);
   }
   name_better_models(request, start, result);
+  result.pair = pair_error_of(start.input.rig, result);
   result.rms_px = worst_rms_px(result);
   result.max_px = worst_max_px(result);
   for (Loss& loss : result.losses) loss.matters = matters(loss, *result.to, result.mode);

@@ -36,6 +36,8 @@ Message in_words(const PixelMap& map, std::size_t axis) {
 /// The cameras of the images that were made from the calibrated ones.
 bool change_images(const ImageChange& change, const std::string& input, Rig& rig, Diagnostics& diagnostics) {
   if (change.changes_nothing()) return true;
+  if (rig.rectified) diagnostics.add(Code::kRectificationOfOtherImages, {}, {input, 0, 0});
+  rig.rectified.reset();
   for (Camera& camera : rig.cameras) {
     Diagnostics found;
     const std::optional<Camera> changed = with_changed_images(camera, change, found);
@@ -86,6 +88,8 @@ void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
     if (std::ranges::find(indices, i) != indices.end()) continue;
     const std::string& name = rig.cameras[i].name;
     std::erase_if(rig.extra_fields, [&name](const ExtraField& extra) { return extra.owner == name; });
+    const auto is_of_it = [&name](const RectifiedPair::View& view) { return view.camera == name; };
+    if (rig.rectified && std::ranges::any_of(rig.rectified->views, is_of_it)) rig.rectified.reset();
     leave_out(name, rig);
   }
   rig.cameras = std::move(cameras);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_for.h"
+#include "remap/map_rows.h"
 
 #include <fca/code.h>
 #include <fca/convert/convert.h>
+#include <fca/formats/rectified_image.h>
 #include <fca/remap/view.h>
 #include <fca/toolkit/remap.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 namespace fca {
@@ -30,43 +30,29 @@ std::optional<Camera> source_of(const RemapRequest& request, Files& files, Diagn
   return cameras.front();
 }
 
-constexpr int kLongestSide = 32766;  // cv::remap counts in 16 bits
+/// A camera, and how the source is turned to it.
+struct View {
+  Camera camera;
+  Transform T_camera_source = {};
+};
 
-bool sides_are_mapped(const Camera& camera, Diagnostics& diagnostics) {
-  if (!camera.image_size) {
-    diagnostics.add(Code::kCameraWithoutSize, {camera.name});
-    return false;
-  }
-  const auto& [width, height] = *camera.image_size;
-  if (std::max(width, height) <= kLongestSide && std::int64_t{width} * height <= kMostPixels) return true;
-  diagnostics.add(Code::kImagesTooLarge, {width, height, kLongestSide});
-  return false;
-}
-
-/// Rows at the same time.
-ImageMap map_of(const ImageMapper& mapper, std::size_t jobs) {
-  const ImageSize size = mapper.size();
-  const auto stride = 2 * static_cast<std::size_t>(size.width);
-  const auto rows = static_cast<std::size_t>(size.height);
-  ImageMap map{size, std::vector<float>(stride * rows)};
-  constexpr std::size_t kRows = 16;  // of one piece of work
-  parallel_for((rows + kRows - 1) / kRows, jobs, [&](std::size_t piece) {
-    for (std::size_t row = piece * kRows; row < std::min(rows, (piece + 1) * kRows); ++row)
-      mapper.row(static_cast<int>(row), std::span(map.uv).subspan(row * stride, stride));
-  });
-  return map;
+/// The image that ROS makes of such a camera's by R and P, if its file states it; else its own.
+View as_rectified(const Rig& rig, const Camera& camera) {
+  if (const std::optional<RectifiedImage> image = rectified_image(rig, camera))
+    return {image->camera, image->T_rectified_camera};
+  return {camera};
 }
 
 /// The camera of a file: that of the same name, or the only one.
-std::optional<Camera> like(const std::string& file, const std::string& name, Files& files, Diagnostics& diagnostics) {
+std::optional<View> like(const std::string& file, const std::string& name, Files& files, Diagnostics& diagnostics) {
   Inputs inputs;
   inputs.files = {file};
   const std::optional<Calibration> calibration = read_models(inputs, files, diagnostics);
   if (!calibration) return std::nullopt;
   const std::vector<Camera>& cameras = calibration->rig.cameras;
   const auto same = std::ranges::find(cameras, name, &Camera::name);
-  if (cameras.size() == 1) return cameras.front();
-  if (same != cameras.end()) return *same;
+  if (cameras.size() == 1) return as_rectified(calibration->rig, cameras.front());
+  if (same != cameras.end()) return as_rectified(calibration->rig, *same);
   std::vector<std::string> names;
   names.reserve(cameras.size());
   for (const Camera& camera : cameras) names.push_back(camera.name);
@@ -100,10 +86,13 @@ ImageSize equirectangular_size(const Camera& source) {
 }
 
 /// Its size and model; nothing with errors.
-std::optional<Camera> view_camera(const RemapRequest& request, const Camera& source, Files& files, Diagnostics& diagnostics) {
+std::optional<View> view_of(const RemapRequest& request, const Camera& source, Files& files, Diagnostics& diagnostics) {
   if (const auto* file = std::get_if<CameraOfFile>(&request.view)) return like(file->path, source.name, files, diagnostics);
-  if (const auto* as = std::get_if<AsModel>(&request.view))
-    return as_model(request, as->model != nullptr ? *as->model : model_info(source.model), source, diagnostics);
+  if (const auto* as = std::get_if<AsModel>(&request.view)) {
+    const std::optional<Camera> camera =
+        as_model(request, as->model != nullptr ? *as->model : model_info(source.model), source, diagnostics);
+    return camera ? std::optional(View{*camera}) : std::nullopt;
+  }
   Camera camera = source;
   if (const auto* pinhole = std::get_if<PinholeView>(&request.view)) {
     if (pinhole->size) camera.image_size = pinhole->size;
@@ -111,7 +100,7 @@ std::optional<Camera> view_camera(const RemapRequest& request, const Camera& sou
   }
   if (const auto* all = std::get_if<EquirectangularView>(&request.view))
     camera.image_size = all->size.value_or(equirectangular_size(source));
-  return camera;
+  return View{camera};
 }
 
 /// False with errors.
@@ -119,16 +108,20 @@ bool make_map(const RemapRequest& request, Files& files, RemapResult& result) {
   const std::optional<Camera> source = source_of(request, files, result.diagnostics);
   if (!source) return false;
   result.source = *source;
-  std::optional<Camera> view = view_camera(request, *source, files, result.diagnostics);
-  if (!view || !sides_are_mapped(*source, result.diagnostics) || !sides_are_mapped(*view, result.diagnostics)) return false;
-  result.view = *std::move(view);
+  std::optional<View> view = view_of(request, *source, files, result.diagnostics);
+  if (!view || !sides_are_mapped(*source, result.diagnostics) || !sides_are_mapped(view->camera, result.diagnostics))
+    return false;
+  result.view = std::move(view->camera);
+  result.T_source_view = inverse(view->T_camera_source).value_or(Transform());
   result.is_equirectangular = std::holds_alternative<EquirectangularView>(request.view);
   if (result.is_equirectangular) {
     const std::string numbers =
         std::to_string(result.view.image_size->width) + " " + std::to_string(result.view.image_size->height);
     result.colmap_camera = "1 EQUIRECTANGULAR " + numbers + " " + numbers;
   }
-  if (request.turn) result.T_source_view = turned(request.turn->yaw_rad, request.turn->pitch_rad, request.turn->roll_rad);
+  if (request.turn)
+    result.T_source_view =
+        result.T_source_view * turned(request.turn->yaw_rad, request.turn->pitch_rad, request.turn->roll_rad);
   const std::optional<double>& limit_rad = request.inputs.max_angle_rad;
   const std::optional<ImageMapper> mapper =
       result.is_equirectangular

@@ -89,6 +89,16 @@ std::span<const CodeInfo> pose_check_codes() {
       warning(Code::kDepthThresholdNotInBaselines, kThreshold,
               "{0} = {1:.4} is counted in baselines, not in metres; upstream's are 35 to 60",
               "divide the distance in metres by the baseline"),
+      about_poses(error(Code::kPairRolled, "pair-rolled",
+                        "{0} and {1} are a stereo pair, and turned against each other by {2:.3} deg about their axes",
+                        "turn the images of one of them back before they are calibrated; or the rotation is another one's")),
+      about_poses(error(Code::kPairTurned, "pair-turned", "{0} and {1} are a stereo pair, and their axes are {2:.3} deg apart",
+                        "choose two cameras that look the same way; or the rotation is another one's")),
+      about_poses(warning(Code::kPairFarApart, "pair-far-apart", "{0} and {1} are a stereo pair, and stand {2:.3} m apart",
+                          "compare it with the rig: another unit, or another pair's translation?")),
+      about_poses(error(Code::kRectificationContradicts, "rectification-contradicts",
+                        "the rectification of {0} and {1} puts them {2:.3} deg and {3:.3} mm from where their pose does",
+                        "rectify the pair again, from that pose")),
   };
   return kRows;
 }

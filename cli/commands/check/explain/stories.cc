@@ -243,6 +243,18 @@ alike: first line %YAML 1.2, second line ---, lists indented deeper than their k
         "out-of-range",
         R"(fca-io's limits are far beyond any camera's: they keep arithmetic from overflowing. A number like 1e300 is a digit too many
 or uninitialised memory.)"},
+    Story{
+        "pair-far-apart",
+        R"(The two cameras of a stereo file stand more than 2 m apart. Heads that are carried have baselines of 0.05 to 0.3 m, cars
+up to 1.5 m: the unit may be another one, or the translation another pair's.)"},
+    Story{
+        "pair-rolled",
+        R"(The rotation between the cameras is taken apart into a turn about the axis and one of the axis. The first is more than 60
+deg: rectification turns each image by half of it.)"},
+    Story{
+        "pair-turned",
+        R"(The axes of the two cameras are more than 60 deg apart: rectification makes both look between them, where a pinhole image
+shows little of either.)"},
     Story{"part-missing",
           R"(VINS-Fusion's configuration names its camera files (cam0_calib, cam1_calib), relative to its own folder. Each is
 looked for there and checked as a file of its own.)"},
@@ -290,6 +302,11 @@ spelling of the same value would do, --fix makes it.)"},
           "mrcal's files are dicts of Python, which ast.literal_eval reads: texts in quotes, numbers, lists, comments, and no "
           "nan, inf, names or sums."},
     Story{"real-for-int", "Kalibr's resolution, ORB-SLAM3's Camera.fps and sizes are ints: 30.0 is refused."},
+    Story{
+        "rectification-contradicts",
+        R"(R1, R2 and P2 state a pose of the second camera: T = R2' (R1 p + (P2(0, 3) / fx, 0, 0)). It is compared with R and T:
+above 0.5 deg or 5 % of the baseline is an error, above a tenth of that a warning. Somebody has edited the one and not the
+other.)"},
     Story{
         "relative-by-centre",
         R"(DSO's camera.txt: centre and focal length below 1 are parts of the width and height, and half a pixel is subtracted. A

@@ -132,7 +132,8 @@ struct Written {
   std::vector<DefaultedValue> defaults;
   /// That the files state, between cameras by the rig's names: they are read back (write_calibration()).
   std::vector<PoseEdge> poses = {};
-  std::vector<PoseEdge> restated;  ///< Poses that the files say otherwise than the rig, on purpose; each is among the losses.
+  bool states_rectification = false;  ///< The files state Rig::rectified.
+  std::vector<PoseEdge> restated;     ///< Poses that the files say otherwise than the rig, on purpose; each is among the losses.
 };
 
 /// What speaks for a format, by its weight. Formats for which the same speaks tie, and the user is asked.

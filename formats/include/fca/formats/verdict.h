@@ -5,6 +5,7 @@
 #include <fca/formats/check.h>
 #include <fca/formats/proof.h>
 #include <fca/formats/verdict_value.h>
+#include <fca/rectify/vertical_disparity.h>
 #include <fca/rig/contradictions.h>
 
 #include <span>
@@ -32,6 +33,7 @@ struct VerdictFacts {
   const Contradiction* outvoted = nullptr;       ///< That of the pose that was left out of what is written, if one was.
   /// Of each written file the cameras of the rig that it holds; empty: nothing is written, all count.
   std::span<const std::vector<std::string>> files = {};
+  const PairError* pair = nullptr;  ///< Of a stereo pair among the written cameras; null: there is none.
   double outside_lens = 0.0;  ///< The share of the image that the lens as it was given leaves out, of the camera with most.
   std::span<const Acceptance> accepted = {};
 };

@@ -33,14 +33,6 @@ struct PixelMap {
 /// along one side it is none.
 [[nodiscard]] std::optional<LensCircle> with_pixels(const LensCircle& circle, const PixelMap& map);
 
-/// A part of an image: its top-left pixel, and its size.
-struct ImageRegion {
-  int x = 0;
-  int y = 0;
-  ImageSize size;
-  bool operator==(const ImageRegion&) const = default;
-};
-
 /// What was done to the images, in this order, as sensors do it.
 struct ImageChange {
   std::optional<ImageRegion> crop = {};  ///< In pixels of the calibrated image.

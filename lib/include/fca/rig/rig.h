@@ -7,6 +7,7 @@
 #include <fca/rig/lens_circle.h>
 #include <fca/rig/transform.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,14 @@ struct ImageSize {
   [[nodiscard]] bool holds(const Pixel& pixel) const {
     return pixel[0] >= 0.0 && pixel[1] >= 0.0 && pixel[0] <= width - 1.0 && pixel[1] <= height - 1.0;
   }
+};
+
+/// A part of an image: its top-left pixel, and its size.
+struct ImageRegion {
+  int x = 0;
+  int y = 0;
+  ImageSize size;
+  bool operator==(const ImageRegion&) const = default;
 };
 
 /// One camera. Pixel coordinates have their origin at the centre of the top-left pixel.
@@ -84,6 +93,28 @@ struct Frame {
   bool operator==(const Frame&) const = default;
 };
 
+/// The images of a stereo pair after its rectification: one pinhole camera for both, turned so that matches are in one row (in
+/// one column, where one camera stands above the other).
+struct RectifiedPair {
+  struct View {
+    std::string camera;                     ///< Its name in the rig, or in `sources`.
+    Transform T_rectified_camera;           ///< A rotation, OpenCV's R1 or R2.
+    Pixel centre{};                         ///< cx, cy of P1 or P2.
+    std::optional<ImageRegion> valid = {};  ///< Of the rectified image: the camera sees each pixel of it.
+    bool operator==(const View&) const = default;
+  };
+  std::array<View, 2> views;              ///< In the order of the file; the first is the origin.
+  std::array<double, 2> focal_lengths{};  ///< fx, fy of both [px].
+  std::optional<ImageSize> size = {};     ///< Nothing: that of the cameras' images.
+  bool is_vertical = false;
+  /// Where the second camera stands in the rectified frame [m]: to the right of the first, or below it where `is_vertical`
+  /// (negative: left, above). -P2(0, 3) / fx, -P2(1, 3) / fy.
+  double offset_m = 0.0;
+  /// The two cameras, where the rig's own camera is the rectified one (ORB-SLAM2's LEFT.* and RIGHT.*); else empty.
+  std::vector<Camera> sources = {};
+  bool operator==(const RectifiedPair&) const = default;
+};
+
 /// Cameras, IMUs and how they sit to each other. May hold no camera (imu.yaml).
 struct Rig {
   std::vector<Camera> cameras;
@@ -96,6 +127,8 @@ struct Rig {
   std::vector<ExtraField> extra_fields;
   /// Baseline of a rectified stereo pair or of an RGB-D sensor's virtual second camera, where the file states only that [m].
   std::optional<double> baseline_m;
+  /// Where the files state it.
+  std::optional<RectifiedPair> rectified = {};
 
   /// `name`, or with "_2", "_3", ... behind it where a camera is called so.
   [[nodiscard]] std::string unused_name(const std::string& name) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fca/compare/report.h>
+#include <fca/rectify/vertical_disparity.h>
 #include <fca/toolkit/inputs.h>
 #include <fca/toolkit/status.h>
 
@@ -37,6 +38,8 @@ struct ComparedFile {
   /// How far apart [px] two OCamCalib files image the rays of the reference's image by their inverse polynomials (world2cam),
   /// which are no part of the compared model; nothing for other formats and for images of different sizes.
   std::optional<double> inverse_px;
+  /// Of the reference's stereo pair, rectified by what the other file says of it; nothing where one of them has none.
+  std::optional<PairError> pair;
   Diagnostics diagnostics;
 };
 

@@ -9,6 +9,7 @@
 #include <fca/formats/proof.h>
 #include <fca/formats/set_value.h>
 #include <fca/formats/verdict_value.h>
+#include <fca/rectify/vertical_disparity.h>
 #include <fca/toolkit/files.h>
 #include <fca/toolkit/format_word.h>
 #include <fca/toolkit/inputs.h>
@@ -139,6 +140,7 @@ struct ConvertResult {
   std::vector<Finding> findings;     ///< What is wrong with the meaning of the input and of what was written.
   double rms_px = 0.0;               ///< Of the camera that the program understands worst.
   double max_px = 0.0;               ///< At the worst pixel of all.
+  std::optional<PairError> pair;     ///< Of the stereo pair among the written cameras, if there is one.
   std::optional<NearerFit> nearer;   ///< Nobody asked for it.
   std::vector<OtherWriting> others;  ///< Ways that were tried and are worse or, if one is asked for, better.
   std::vector<Loss> losses;

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/toolkit/rectify.h>
+
+#include "like_opencv.h"
+#include "remap/map_rows.h"
+#include "settings.h"
+#include "source_pair.h"
+#include "stereo_rectify.h"
+
+#include <fca/code.h>
+#include <fca/rig/rotation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace fca {
+
+namespace {
+
+/// As the files state it, with the parts of it that each camera sees.
+std::optional<RectifiedPair> as_stated(const SourcePair& source, Diagnostics& diagnostics) {
+  RectifiedPair pair = *source.stated;
+  if (!pair.size) pair.size = source.cameras[0].image_size;
+  for (std::size_t i = 0; i < 2; ++i) {
+    pair.views.at(i).valid = valid_region(source.cameras.at(i), pair, i, *pair.size);
+    if (pair.views.at(i).valid) continue;
+    diagnostics.add(Code::kRectifyNoValidPart, {source.cameras.at(i).name});
+    return std::nullopt;
+  }
+  return pair;
+}
+
+std::optional<RectifiedPair> computed(const RectifyRequest& request, const SourcePair& source, RectifyResult& result) {
+  const auto& [first, second] = source.cameras;
+  RectifyOptions options{request.view, request.size};
+  const auto* by_alpha = std::get_if<RectifiedByAlpha>(&request.view);
+  const double alpha = by_alpha != nullptr ? by_alpha->alpha : 0.0;
+  if (request.like_opencv) options.view = RectifiedByAlpha{alpha};
+  std::optional<RectifiedPair> ours = rectify(first, second, source.T_second_first, options, result.diagnostics);
+  if (!request.like_opencv || !ours) return ours;
+  std::optional<RectifiedPair> theirs =
+      rectified_by(request.like_opencv, source.cameras, source.T_second_first, alpha, *ours->size, result.diagnostics);
+  if (!theirs) return std::nullopt;
+  for (std::size_t i = 0; i < 2; ++i) theirs->views.at(i).valid = valid_region(source.cameras.at(i), *theirs, i, *ours->size);
+  result.ours = std::move(ours);
+  return theirs;
+}
+
+/// A file's rectification is taken as it is, also where its pose is another one.
+void warn_of_contradiction(const SourcePair& source, const RectifiedPair& pair, const std::string& file,
+                           Diagnostics& diagnostics) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  constexpr double kMmPerM = 1000.0;
+  const Transform stated = pose_of(pair);
+  const double angle = kDegrees * angle_between(stated, source.T_second_first);
+  const double metres = distance_between(stated, source.T_second_first);
+  constexpr double kNoticeable = 0.05;  // deg
+  if (angle <= kNoticeable && metres <= 0.005 * distance_of(source.T_second_first)) return;
+  const Message facts = {Code::kRectificationContradicts,
+                         {source.cameras[0].name, source.cameras[1].name, angle, kMmPerM * metres}};
+  diagnostics.add({Severity::kWarning, facts, {file, 0, 0}});
+}
+
+/// The left or upper camera first.
+void put_in_order(SourcePair source, RectifyResult& result) {
+  if (result.pair.offset_m < 0.0) {
+    result.is_exchanged = true;
+    result.pair = exchanged(result.pair);
+    if (result.ours) result.ours = exchanged(*result.ours);
+    std::swap(source.cameras[0], source.cameras[1]);
+    source.T_second_first = inverse(source.T_second_first).value_or(Transform());
+  }
+  result.cameras = std::move(source.cameras);
+  result.T_second_first = source.T_second_first;
+  result.is_rectified = source.is_rectified;
+}
+
+/// From the left border to the right one, of the pixels' outer edges.
+double field_across(const RectifiedPair& pair, const ImageSize& size) {
+  const double centre = pair.views[0].centre[0];
+  return std::atan((centre + 0.5) / pair.focal_lengths[0]) + std::atan((size.width - 0.5 - centre) / pair.focal_lengths[0]);
+}
+
+bool add_maps(const RectifyRequest& request, RectifyResult& result) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Camera& source = result.cameras.at(i);
+    const Camera target = rectified_camera(result.pair, i, result.size);
+    if (!sides_are_mapped(source, result.diagnostics) || !sides_are_mapped(target, result.diagnostics)) return false;
+    const std::optional<Transform> T_source_target = inverse(result.pair.views.at(i).T_rectified_camera);
+    const std::optional<ImageMapper> mapper =
+        T_source_target
+            ? ImageMapper::between(source, target, *T_source_target, request.inputs.max_angle_rad, result.diagnostics)
+            : std::nullopt;
+    if (!mapper) return false;
+    result.maps.push_back(map_of(*mapper, request.jobs));
+    const std::vector<std::uint8_t> mask = seen(result.maps.back(), *source.image_size);
+    result.seen_shares.at(i) = static_cast<double>(std::ranges::count(mask, 255)) / static_cast<double>(mask.size());
+  }
+  return true;
+}
+
+bool run(const RectifyRequest& request, Files& files, RectifyResult& result) {
+  const std::optional<Calibration> calibration = read_models(request.inputs, files, result.diagnostics);
+  if (!calibration) return false;
+  std::optional<SourcePair> source = source_pair(calibration->rig, request.inputs.files.front(), result.diagnostics);
+  if (!source) return false;
+  if (!source->cameras[0].image_size || !source->cameras[1].image_size) {
+    result.diagnostics.add(Code::kFileWithoutSize, {}, {request.inputs.files.front(), 0, 0});
+    return false;
+  }
+  const bool is_asked = !std::holds_alternative<std::monostate>(request.view) || request.size || request.like_opencv;
+  result.is_stated = source->stated && !is_asked;
+  std::optional<RectifiedPair> pair =
+      result.is_stated ? as_stated(*source, result.diagnostics) : computed(request, *source, result);
+  if (!pair) return false;
+  if (result.is_stated) warn_of_contradiction(*source, *pair, request.inputs.files.front(), result.diagnostics);
+  result.size = *pair->size;
+  result.pair = *std::move(pair);
+  put_in_order(*std::move(source), result);
+  result.full_fov_rad = field_across(result.pair, result.size);
+  const auto& [first, second] = result.cameras;
+  result.disparity =
+      vertical_disparity({first, first.model}, {second, second.model}, result.T_second_first, result.pair, result.size);
+  if (!result.disparity) {
+    result.diagnostics.add(Code::kRectifyNoValidPart, {first.name + " and " + second.name});
+    return false;
+  }
+  if (request.maps && !add_maps(request, result)) return false;
+  return request.to == nullptr || write_settings(request, *calibration, result);
+}
+
+}  // namespace
+
+RectifyResult rectify(const RectifyRequest& request, Files& files) {
+  RectifyResult result;
+  if (!run(request, files, result)) result.status = worse(status_of(result.diagnostics), Status::kBadInput);
+  return result;
+}
+
+}  // namespace fca

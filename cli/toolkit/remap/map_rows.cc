@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "map_rows.h"
+
+#include "parallel_for.h"
+
+#include <fca/code.h>
+#include <fca/toolkit/image.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+namespace fca {
+
+bool sides_are_mapped(const Camera& camera, Diagnostics& diagnostics) {
+  if (!camera.image_size) {
+    diagnostics.add(Code::kCameraWithoutSize, {camera.name});
+    return false;
+  }
+  const auto& [width, height] = *camera.image_size;
+  if (std::max(width, height) <= kLongestSide && std::int64_t{width} * height <= kMostPixels) return true;
+  diagnostics.add(Code::kImagesTooLarge, {width, height, kLongestSide});
+  return false;
+}
+
+ImageMap map_of(const ImageMapper& mapper, std::size_t jobs) {
+  const ImageSize size = mapper.size();
+  const auto stride = 2 * static_cast<std::size_t>(size.width);
+  const auto rows = static_cast<std::size_t>(size.height);
+  ImageMap map{size, std::vector<float>(stride * rows)};
+  constexpr std::size_t kRows = 16;  // of one piece of work
+  parallel_for((rows + kRows - 1) / kRows, jobs, [&](std::size_t piece) {
+    for (std::size_t row = piece * kRows; row < std::min(rows, (piece + 1) * kRows); ++row)
+      mapper.row(static_cast<int>(row), std::span(map.uv).subspan(row * stride, stride));
+  });
+  return map;
+}
+
+}  // namespace fca

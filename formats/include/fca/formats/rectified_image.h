@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fca/rig/rig.h>
+
+#include <optional>
+
+namespace fca {
+
+/// The image that a program makes of a camera's by what its file states beside the camera: ROS's image_proc by R and P.
+struct RectifiedImage {
+  Camera camera;                 ///< A pinhole.
+  Transform T_rectified_camera;  ///< A rotation.
+};
+
+/// Of a camera_info whose R or P says another camera than its K; nothing of any other file, nor of images that are a part of the
+/// sensor's.
+[[nodiscard]] std::optional<RectifiedImage> rectified_image(const Rig& rig, const Camera& camera);
+
+}  // namespace fca
