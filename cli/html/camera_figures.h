@@ -23,6 +23,8 @@ struct DrawnCamera {
   double scored_to_deg = 0.0;            ///< Nothing further from the axis was scored.
   std::string distance = "Error";        ///< What the judgement is about: "Error", "Difference".
 
+  const PixelUncertainty* uncertainty = nullptr;  ///< The source's own; null: not known.
+
   /// The rotation that brings the two nearest to each other (takes the source's rays to the target's); null: none is drawn.
   const Transform* rotation = nullptr;
   const Judgement* rotated = nullptr;  ///< With it undone.

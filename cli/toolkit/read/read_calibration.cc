@@ -3,6 +3,7 @@
 #include "read/lens_circles.h"
 
 #include <fca/code.h>
+#include <fca/convert/uncertainty.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/image_change.h>
 #include <fca/rig/leave_out.h>
@@ -48,6 +49,9 @@ bool change_images(const ImageChange& change, const std::string& input, Rig& rig
     const ImageSize& from = *camera.image_size;
     diagnostics.add(Code::kImagesChanged,
                     {camera.name, steps_of(change), from.width, from.height, in_words(map, 0), in_words(map, 1)});
+    for (Uncertainty& uncertainty : rig.uncertainties) {
+      if (uncertainty.camera == camera.name) uncertainty = with_pixels(uncertainty, camera.model, map);
+    }
     camera = *changed;
   }
   return true;
@@ -86,6 +90,8 @@ void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
     if (std::ranges::find(indices, i) != indices.end()) continue;
     const std::string& name = rig.cameras[i].name;
     std::erase_if(rig.extra_fields, [&name](const ExtraField& extra) { return extra.owner == name; });
+    std::erase_if(rig.uncertainties, [&name](const Uncertainty& each) { return each.camera == name; });
+    std::erase_if(rig.pose_uncertainties, [&name](const PoseUncertainty& each) { return each.a == name || each.b == name; });
     leave_out(name, rig);
   }
   rig.cameras = std::move(cameras);

@@ -14,6 +14,13 @@
 
 namespace fca {
 
+/// The calibration's own uncertainty of a camera whose covariance is known: one standard deviation of its pixels, the root mean
+/// square over the image.
+struct OwnUncertainty {
+  std::string camera;  ///< By its name in the rig.
+  double rms_px = 0.0;
+};
+
 /// All that is known of a written file, or of one that is evaluated as it is.
 struct VerdictFacts {
   const Format* to = nullptr;                ///< Of the file.
@@ -32,6 +39,7 @@ struct VerdictFacts {
   const Contradiction* outvoted = nullptr;       ///< That of the pose that was left out of what is written, if one was.
   /// Of each written file the cameras of the rig that it holds; empty: nothing is written, all count.
   std::span<const std::vector<std::string>> files = {};
+  std::span<const OwnUncertainty> uncertainties = {};  ///< An error below that is no reason for care.
   double outside_lens = 0.0;  ///< The share of the image that the lens as it was given leaves out, of the camera with most.
   std::span<const Acceptance> accepted = {};
 };
