@@ -42,6 +42,8 @@ constexpr std::array kHints = {
                "another model may reach further: fca-io models FILE compares all models"},
     OptionHint{Code::kDomainGiven, text::Part::kText, "given (--max-angle)"},
     OptionHint{Code::kDomainInsideGiven, text::Part::kText, "the whole image (it ends inside --max-angle)"},
+    OptionHint{Code::kSigmaUnknown, text::Part::kFix,
+               "set the limit in pixels (--max-error PX), or give the covariance of the camera's parameters (--with FILE)"},
     // Comparison.
     OptionHint{Code::kResolutionDiffers, text::Part::kFix,
                "say how the reference's images become the other's: --crop X,Y,W,H, --binning N, --resize {3}x{4}"},

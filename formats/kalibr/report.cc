@@ -126,7 +126,7 @@ class ReportReader {
     const Node line = want_line(owner, "type");
     const std::size_t begin = line.value.rfind('.');
     const std::size_t end = line.value.find("'>");
-    const bool is_class = begin != std::string::npos && end != std::string::npos && begin < end;
+    const bool is_class = begin != std::string::npos && end != std::string::npos && begin < end && line.value.ends_with("'>");
     const std::string name = is_class ? line.value.substr(begin + 1, end - begin - 1) : shown(line);
     const Layout* layout = is_class ? layout_of_class(name) : nullptr;
     if (layout == nullptr) throw broken(line, Code::kReportUnknownGeometry, {owner, name});
@@ -177,6 +177,8 @@ class ReportReader {
     if (line.value.ends_with("no corners")) return;
     const double mean = value_behind("mean");
     const double deviation = value_behind("std");
+    if ((words.end() - 2)->value != "std")
+      throw broken(words.back(), Code::kReportLineUnknown, {"report", words.back().value, "the end of the line"});
     static_cast<void>(value_behind("median"));
     if (deviation < 0.0) throw broken(line, Code::kReportSigmaNegative, {words[kCamera].value, deviation});
     Uncertainty camera;
