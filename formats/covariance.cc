@@ -56,7 +56,7 @@ class TableReader {
         reader_.say(*lines[i].node, Code::kReportTwice, {camera->camera});
         return;
       }
-      rig.extra_fields.push_back({camera->camera, "covariance of its parameters", ""});
+      rig.extra_fields.push_back({camera->camera, "covariance of its parameters", document_.source().name});
       rig.uncertainties.push_back(*std::move(camera));
       i = end;
     }

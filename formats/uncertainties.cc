@@ -47,6 +47,10 @@ bool matches(const Uncertainty& stated, const Rig& rig, Diagnostics& diagnostics
 
 }  // namespace
 
+bool is_uncertainty_alone(const Rig& rig) {
+  return rig.cameras.empty() && rig.imus.empty() && rig.poses.empty() && !rig.uncertainties.empty();
+}
+
 bool match_uncertainties(const Rig& rig, Diagnostics& diagnostics) {
   if (rig.cameras.empty()) return true;
   return std::ranges::all_of(rig.uncertainties, [&](const Uncertainty& stated) { return matches(stated, rig, diagnostics); });

@@ -11,4 +11,7 @@ namespace fca {
 /// warning. Without effect in a rig without cameras.
 [[nodiscard]] bool match_uncertainties(const Rig& rig, Diagnostics& diagnostics);
 
+/// Is that all that the rig states, so that no program reads its file?
+[[nodiscard]] bool is_uncertainty_alone(const Rig& rig);
+
 }  // namespace fca

@@ -306,11 +306,12 @@ void read_report(const text::Document& document, Rig& rig, Diagnostics& diagnost
   Rig found;
   ReportReader(document, diagnostics).read_into(found);
   for (Uncertainty& each : found.uncertainties) {
-    if (!each.sigmas.empty()) rig.extra_fields.push_back({each.camera, "standard deviations of its parameters", ""});
+    if (!each.sigmas.empty())
+      rig.extra_fields.push_back({each.camera, "standard deviations of its parameters", document.source().name});
     rig.uncertainties.push_back(std::move(each));
   }
   for (PoseUncertainty& each : found.pose_uncertainties) {
-    rig.extra_fields.push_back({each.a, "standard deviations of T_" + each.a + "_" + each.b, ""});
+    rig.extra_fields.push_back({each.a, "standard deviations of T_" + each.a + "_" + each.b, document.source().name});
     rig.pose_uncertainties.push_back(std::move(each));
   }
 }
