@@ -106,7 +106,7 @@ struct Outcome {
   }
 };
 
-Outcome read(const std::vector<text::Source>& sources) {
+Outcome read(const std::vector<text::Source>& sources, const ReadOptions& options = {}) {
   Outcome outcome;
   outcome.sources = sources;
   std::vector<text::Document> documents;
@@ -115,7 +115,7 @@ Outcome read(const std::vector<text::Source>& sources) {
     if (!document) return outcome;
     documents.push_back(*std::move(document));
   }
-  outcome.calibration = read_calibration(std::move(documents), nullptr, {}, outcome.diagnostics);
+  outcome.calibration = read_calibration(std::move(documents), nullptr, options, outcome.diagnostics);
   return outcome;
 }
 
@@ -343,6 +343,16 @@ TEST(OpenCvSigmas, ThatAreNoneAreWarnedOf) {
     EXPECT_TRUE(outcome.says(Code::kOpencvSigmasOdd)) << by;
     EXPECT_EQ(outcome.calibration->rig.find_uncertainty("cam0"), nullptr) << by;
   }
+}
+
+TEST(OpenCvSigmas, FollowTheirCameraIntoARig) {
+  ReadOptions options;
+  options.join = true;
+  const Outcome outcome = read(
+      {{"left.yml", opencv_file(kSigmas)}, {"right.yml", opencv_file(replaced(kSigmas, "[ 0.5, 0.6", "[ 1.5, 1.6"))}}, options);
+  ASSERT_TRUE(outcome.calibration);
+  EXPECT_EQ(sigma_of(outcome.calibration->rig, "cam0", "fx"), 0.5);
+  EXPECT_EQ(sigma_of(outcome.calibration->rig, "cam1", "fx"), 1.5);
 }
 
 TEST(OpenCvSigmas, AreFoundInTheCorpus) {

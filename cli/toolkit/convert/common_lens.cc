@@ -69,6 +69,8 @@ bool share_lens(const ConvertRequest& request, const Format& to, std::vector<Con
     cameras[i].target.model = (*after)[i];
     cameras[i].report = std::move(report);
   }
+  constexpr double kRounding = 1e-9;  // px
+  for (double& rms : rms_before) rms = rms < kRounding ? 0.0 : rms;
   diagnostics.add(Code::kCommonLensFitted,
                   {sources[0].name, sources[1].name, rms_after[0], rms_after[1], rms_before[0], rms_before[1]});
   return true;
