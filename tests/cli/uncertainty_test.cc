@@ -125,7 +125,7 @@ TEST(OwnUncertainty, DecidesWhetherALimitInSigmasIsMet) {
 TEST(OwnUncertainty, TakesCareOffAnErrorBelowIt) {
   const Files files;
   // A fit that is off by more than is ready, and less than is wrong.
-  const std::vector<std::string> words = {"convert", files.chain, "--to", "kalibr", "--model", "ucm", "--max-angle", "97"};
+  const std::vector<std::string> words = {"convert", files.chain, "--to", "kalibr", "--model", "ucm"};
   const Told before(words);
   ASSERT_EQ(std::string(before.json()["verdict"]["word"].GetString()), "use-with-care") << before.text();
   const auto word = [&](double sigma_px) {
