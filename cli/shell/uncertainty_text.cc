@@ -23,9 +23,11 @@ const Repeatability& repeatability_of(const ConversionReport& report) {
 bool has_error(const ConversionReport& report) { return !report.exact && report.judgement.error.rms > kSeenPx; }
 
 std::string repeatability_in_words(const ConversionReport& report) {
+  constexpr double kMany = 1000.0;
   const Repeatability& typical = repeatability_of(report);
+  const double times = typical.rms_px / report.judgement.error.rms;
   return "two calibrations of " + std::string(typical.camera) + " differ by " + pixels(typical.rms_px) + " px rms, " +
-         text::format_short(typical.rms_px / report.judgement.error.rms, 2) + " times this error (" +
+         (times > kMany ? "more than 1000" : text::format_short(times, 2)) + " times this error (" +
          std::string(typical.source) + ")";
 }
 

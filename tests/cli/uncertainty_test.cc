@@ -191,8 +191,10 @@ TEST(CommonLens, IsWrittenForBothFisheyes) {
     EXPECT_EQ(common.json()["cameras"][0]["parameters"][key].GetDouble(),
               common.json()["cameras"][1]["parameters"][key].GetDouble());
   }
+  const Told mono({"convert", files.pair, "--to", "orbslam3", "--orbslam3-layout", "v1-common", "--sensor", "mono"});
+  EXPECT_TRUE(mono.says("layout-unfit", "v1-common")) << mono.text();
   const Told single({"convert", files.chain, "--to", "orbslam3", "--orbslam3-layout", "v1-common"});
-  EXPECT_NE(single.code(), 0);
+  EXPECT_EQ(single.code(), 3);
   EXPECT_TRUE(single.says("layout-unfit", "v1-common")) << single.text();
 }
 

@@ -3,8 +3,8 @@
 
 #include <fca/code.h>
 #include <fca/convert/common_lens.h>
-#include <fca/convert/reach.h>
 #include <fca/convert/judge.h>
+#include <fca/convert/reach.h>
 
 #include <algorithm>
 #include <array>
@@ -34,13 +34,14 @@ std::optional<ConversionReport> report_of(const Camera& source, const CameraMode
 
 }  // namespace
 
-bool share_lens(const ConvertRequest& request, const Format& to, std::vector<ConvertedCamera>& cameras,
+bool share_lens(const ConvertRequest& request, const Format& to, std::size_t held, std::vector<ConvertedCamera>& cameras,
                 Diagnostics& diagnostics) {
   if (!request.layout || to.common_lens_layout.empty() || request.layout->name() != to.common_lens_layout) return true;
   const auto is_fisheye = [](const ConvertedCamera& camera) {
     return camera.source.rays.empty() && !sees_ahead_only(model_info(camera.target.model).id);
   };
-  const bool is_pair = cameras.size() >= kPair && std::all_of(cameras.begin(), cameras.begin() + kPair, is_fisheye) &&
+  const bool is_pair = std::min(held, cameras.size()) >= kPair &&
+                       std::all_of(cameras.begin(), cameras.begin() + kPair, is_fisheye) &&
                        cameras[0].target.lens_id() == cameras[1].target.lens_id();
   if (!is_pair) {
     std::vector<std::string> models;

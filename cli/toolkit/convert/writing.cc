@@ -164,7 +164,7 @@ bool Writing::fit() {
       convert_cameras(input_.rig.cameras, *result_.to, choice_, result_.diagnostics);
   if (!cameras) return false;
   result_.cameras = *std::move(cameras);
-  if (!share_lens(request_, *result_.to, result_.cameras, result_.diagnostics)) return false;
+  if (!share_lens(request_, *result_.to, choice_.most_cameras, result_.cameras, result_.diagnostics)) return false;
   if (request_.in_detail) add_reach(*result_.to, choice_, result_.cameras);
   add_uncertainties(input_.rig, request_, result_.cameras);
   return put_together();

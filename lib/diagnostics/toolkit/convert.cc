@@ -118,7 +118,7 @@ std::span<const CodeInfo> convert_codes() {
       clause(Code::kSigmaOfRays, "the error of a fit to measured rays contains their noise"),
       clause(Code::kSigmaOfNothing, "nothing states how uncertain the calibration is"),
       bad_request(Code::kCommonLensNeedsPair, "layout-unfit",
-                  "{0} is for a pair of fisheyes (KannalaBrandt8) in a fresh file: {1}"),
+                  "{0} is for a stereo pair of fisheyes (KannalaBrandt8): {1}"),
       note(Code::kCommonLensFitted, "common-lens",
            "{0} and {1} get one k1 to k4, fitted to both, and each its own fx fy cx cy: as the program reads them they are "
            "{2:px} and {3:px} px rms off in place of {4:px} and {5:px}"),
