@@ -36,10 +36,12 @@ std::string repeatability_in_words(const ConversionReport& report) {
 std::string uncertainty_in_words(const ConversionReport& report) {
   if (!report.uncertainty) return has_error(report) ? repeatability_in_words(report) : "";
   const PixelUncertainty& own = *report.uncertainty;
-  const std::string error = has_error(report) ? "conversion error " + pixels(report.judgement.error.max) + " px, " : "";
+  const std::string what = own.of_residuals ? "residuals up to " : "conversion error ";
+  const std::string error = has_error(report) ? what + pixels(report.judgement.error.max) + " px, " : "";
+  const std::string whose = own.of_residuals ? "the fit's own uncertainty " : "the calibration's own uncertainty ";
   const std::string by = own.of_residuals ? ", by the residuals of the rays" : ", by " + text::printable(own.source);
-  return error + "the calibration's own uncertainty " + (own.is_limit ? "at most " : "") + pixels(own.max_px) +
-         " px (1 sigma, at the worst pixel" + (own.is_limit ? "; correlations unknown" : "") + ")" + by;
+  return error + whose + (own.is_limit ? "at most " : "") + pixels(own.max_px) + " px (1 sigma, at the worst pixel" +
+         (own.is_limit ? "; correlations unknown" : "") + ")" + by;
 }
 
 void put_uncertainty(Json& json, const ConversionReport& report, const CameraModel& target) {
