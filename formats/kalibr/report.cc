@@ -234,6 +234,7 @@ class ReportReader {
       throw broken(list, Code::kNumbersWanted, {what, words.size(), count});
     }
     std::vector<double> numbers;
+    numbers.reserve(words.size());
     for (const Node& word : words) numbers.push_back(number(word, what));
     return numbers;
   }

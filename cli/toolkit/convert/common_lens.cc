@@ -45,6 +45,7 @@ bool share_lens(const ConvertRequest& request, const Format& to, std::size_t hel
                        cameras[0].target.lens_id() == cameras[1].target.lens_id();
   if (!is_pair) {
     std::vector<std::string> models;
+    models.reserve(cameras.size());
     for (const ConvertedCamera& camera : cameras)
       models.push_back(camera.source.name + " " + std::string(camera.target.lens_id()));
     diagnostics.add(Code::kCommonLensNeedsPair, {to.common_lens_layout, models});
