@@ -7,6 +7,7 @@
 #include "lengths.h"
 #include "losses.h"
 #include "lost_poses.h"
+#include "uncertainties.h"
 
 #include <fca/code.h>
 #include <fca/formats/read_back.h>
@@ -106,6 +107,9 @@ void rename_apart(const Rig& rig, const Format& format, Rig& part) {
     camera.name = name;
     names.emplace(old, name);
   }
+  for (Uncertainty& each : part.uncertainties) {
+    if (const auto renamed = names.find(each.camera); renamed != names.end()) each.camera = renamed->second;
+  }
   for (ExtraField& extra : part.extra_fields) {
     if (!extra.owner.empty() && std::ranges::find(format.of_cameras, extra.key) != format.of_cameras.end())
       extra.value = counted_anew(extra.value, names);
@@ -141,6 +145,8 @@ bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics
   rig.poses.insert(rig.poses.end(), part.poses.begin(), part.poses.end());
   for (const Frame& frame : part.frames) rig.add_frame(frame.name, frame.kind);
   rig.extra_fields.insert(rig.extra_fields.end(), part.extra_fields.begin(), part.extra_fields.end());
+  rig.uncertainties.insert(rig.uncertainties.end(), part.uncertainties.begin(), part.uncertainties.end());
+  rig.pose_uncertainties.insert(rig.pose_uncertainties.end(), part.pose_uncertainties.begin(), part.pose_uncertainties.end());
   if (!rig.baseline_m) rig.baseline_m = part.baseline_m;
   if (!rig.rectified) rig.rectified = part.rectified;
   return good;
@@ -318,6 +324,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
     files.resize(result.rig.poses.size(), document.source().name);
   }
   complete(result.formats, result.rig);
+  if (!match_uncertainties(result.rig, diagnostics)) return std::nullopt;
   warn_of_contradictions(result.rig, files, diagnostics);
   if (options.join && !result.format->many_cameras && !result.format->frame.empty())
     forget_common_origins(result.rig, diagnostics);

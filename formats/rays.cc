@@ -4,9 +4,11 @@
 //   u v x y z      a pixel (the centre of the top-left one is 0, 0) and its ray (x right, y down, z forward, of any length)
 //
 // One line each, with blanks or commas between the numbers. A first line of those five names, and lines that begin with #, are
-// not read. Or a .npy file of rows of five numbers. No line may lack a ray: leave the pixels out that see nothing.
+// not read. The covariance of a camera's parameters is such a table, too: covariance.h. Or a .npy file of rows of five numbers.
+// No line may lack a ray: leave the pixels out that see nothing.
 #include "rays.h"
 
+#include "covariance.h"
 #include "fields.h"
 #include "text/npy.h"
 #include "text/words.h"
@@ -182,6 +184,13 @@ std::optional<Camera> read_camera(const text::Document& document, const ReadOpti
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
   Rig rig;
   for (const text::Document& document : documents) {
+    if (covariance::is_table(document)) {
+      Diagnostics found;
+      covariance::read(document, rig, found);
+      for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
+      if (found.has_errors()) return std::nullopt;
+      continue;
+    }
     std::optional<Camera> camera = read_camera(document, options, diagnostics);
     if (!camera) return std::nullopt;
     rig.cameras.push_back(*std::move(camera));
@@ -191,6 +200,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
 
 /// Five numbers in a line may be anything: only the names of the columns, or a row of NumPy's, tell.
 ProbeResult probe(const text::Document& document) {
+  if (covariance::is_table(document)) return {evidence::kPart, {Code::kFoundKeys, {std::vector<std::string>{"covariance"}}}};
   if (document.root().tag == text::kNpyTag) return {evidence::kHint, {Code::kFoundKeys, {"NumPy"}}};
   const bool has_lines = document.syntax() == text::Syntax::kWords;
   const Node* first = has_lines ? first_line(document) : nullptr;

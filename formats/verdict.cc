@@ -60,10 +60,22 @@ std::vector<Message> why_no_rays(const ProofResult& proof) {
   return {Message{Code::kVerdictCause, {proof.wrong_ray_why}}};
 }
 
-void add_cameras(const ProofResult& proof, std::vector<Reason>& reasons) {
+/// What the calibration does not know itself needs no care: an rms below its own uncertainty, and a 99th percentile below what
+/// is that of the distance of such pixels. An error that is too much for any use stays one.
+VerdictWord word_of(const PixelDistance& distance, double own_rms_px) {
+  constexpr double kP99OfSigmas = 3.035;  // of the distance in two dimensions
+  const auto raised = [](const Limits& limits, double own) {
+    return Limits{std::clamp(own, limits.ready, limits.care), limits.care};
+  };
+  return worse(word_of(distance.rms, raised(kRmsPx, own_rms_px)),
+               word_of(distance.p99, raised(kP99Px, kP99OfSigmas * own_rms_px)));
+}
+
+void add_cameras(const VerdictFacts& facts, const ProofResult& proof, std::vector<Reason>& reasons) {
   for (const CameraProof& camera : proof.cameras) {
     const PixelDistance& distance = camera.distance.decisive();
-    const VerdictWord pixels = word_of(distance);
+    const auto own = std::ranges::find(facts.uncertainties, camera.name, &OwnUncertainty::camera);
+    const VerdictWord pixels = word_of(distance, own != facts.uncertainties.end() ? own->rms_px : 0.0);
     const auto add = [&](VerdictWord word, Code code, std::vector<Argument> arguments, const PixelDistance& of) {
       if (word == VerdictWord::kReady) return;
       reasons.push_back({weighed(word, proof.is_first), {code, std::move(arguments)}, camera.name, of});
@@ -123,7 +135,7 @@ void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   if (!facts.has_reader) reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNoReader, {facts.to->program}}});
   for (const ProofResult& proof : facts.proofs) {
     if (proof.loads) {
-      add_cameras(proof, reasons);
+      add_cameras(facts, proof, reasons);
       add_versions(*facts.to, proof, reasons);
       const auto names_it = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsName; };
       if (proof.is_first && !proof.wanted_name.empty() && std::ranges::none_of(reasons, names_it))
@@ -412,9 +424,7 @@ void add_contradictions(const VerdictFacts& facts, std::vector<Reason>& reasons)
 
 }  // namespace
 
-VerdictWord word_of(const PixelDistance& distance) {
-  return worse(word_of(distance.rms, kRmsPx), word_of(distance.p99, kP99Px));
-}
+VerdictWord word_of(const PixelDistance& distance) { return word_of(distance, 0.0); }
 
 std::string_view name_of(VerdictWord word) {
   constexpr std::array<std::string_view, 3> kNames = {"ready", "use-with-care", "do-not-use"};

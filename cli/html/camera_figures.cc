@@ -107,6 +107,21 @@ Curve curve_of_bands(const Judgement& judgement, double scored_to_deg) {
   return curve;
 }
 
+/// One standard deviation of the source's own pixels, or what it is at most.
+Curve uncertainty_of_bands(const DrawnCamera& camera) {
+  const bool is_limit = camera.uncertainty->is_limit;
+  Curve curve{
+      "reference dotted", is_limit ? "calibration's own uncertainty, at most" : "calibration's own uncertainty, 1 sigma", {}};
+  const std::vector<ErrorBand>& bands = camera.judgement->bands;
+  for (std::size_t i = 0; i < std::min(bands.size(), camera.uncertainty->bands_px.size()); ++i) {
+    if (bands[i].share <= 0.0 || camera.uncertainty->bands_px[i] <= 0.0) continue;
+    const double end = std::min({bands[i].to_deg, camera.judgement->coverage.max_angle_deg, camera.scored_to_deg});
+    curve.points.push_back({bands[i].from_deg, camera.uncertainty->bands_px[i]});
+    curve.points.push_back({end, camera.uncertainty->bands_px[i]});
+  }
+  return curve;
+}
+
 Chart error_chart(const DrawnCamera& camera) {
   const Judgement& judgement = *camera.judgement;
   Chart chart;
@@ -117,13 +132,21 @@ Chart error_chart(const DrawnCamera& camera) {
                   {"max", "worst direction", profile.worst},
                   {"rms", "rms around the axis", profile.rms}};
   double smallest = profile.smallest;
+  double highest = std::max(profile.largest, judgement.error.max);
+  if (camera.uncertainty != nullptr) {
+    chart.curves.push_back(uncertainty_of_bands(camera));
+    for (const auto& point : chart.curves.back().points) {
+      smallest = std::min(smallest, point[1]);
+      highest = std::max(highest, point[1]);
+    }
+  }
   if (camera.rotation != nullptr) {
     const Profile rotated = profile_of(camera, camera.rotation);
     chart.curves.push_back({"rotated", "rms with the best rotation undone", rotated.rms});
     smallest = std::min(smallest, rotated.smallest);
   }
   constexpr double kMostDecades = 1e5;
-  const double largest = std::clamp(std::max(profile.largest, judgement.error.max), kSeenError, kLargestError);
+  const double largest = std::clamp(highest, kSeenError, kLargestError);
   const double to = std::pow(10.0, std::ceil(std::log10(largest)));
   const double from = std::pow(10.0, std::floor(std::log10(std::clamp(smallest, to / kMostDecades, 0.1 * to))));
   chart.x = {"deg from the axis", 0.0, judgement.coverage.max_angle_deg};

@@ -24,6 +24,8 @@ struct DrawnCamera {
   std::string distance = "Error";        ///< What the judgement is about: "Error", "Difference".
   const Transform* turn = nullptr;       ///< Takes the source's rays to the target's; null: they have the same frame.
 
+  const PixelUncertainty* uncertainty = nullptr;  ///< The source's own; null: not known.
+
   /// The rotation that brings the two nearest to each other (takes the source's rays to the target's); null: none is drawn.
   const Transform* rotation = nullptr;
   const Judgement* rotated = nullptr;  ///< With it undone.

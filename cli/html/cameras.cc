@@ -5,6 +5,7 @@
 #include "commands/convert/convert_command.h"
 #include "shell/judgement_text.h"
 #include "shell/option_hints.h"
+#include "shell/uncertainty_text.h"
 #include "shell/words.h"
 #include "table.h"
 
@@ -64,6 +65,7 @@ void put_judgement(Html& html, const ShownCamera& camera) {
   const Judgement& j = report.judgement;
   const std::string scored = camera.kept() ? "" : "; " + coverage_text(j.coverage, report.scored_to_deg);
   line("domain: ", domain_in_words(j.coverage) + scored);
+  if (const std::string own = uncertainty_in_words(report); !own.empty()) line("beside: ", own);
   if (camera.kept()) {
     line("error: ", "none: the same model and parameters");
     return;
@@ -105,6 +107,7 @@ void put_camera(Html& html, const ShownCamera& camera, std::optional<double> lim
     drawn.judgement = &report->judgement;
     drawn.scored_to_deg = report->scored_to_deg;
     if (report->turn) drawn.turn = &report->turn->T_target_source;
+    if (report->uncertainty) drawn.uncertainty = &*report->uncertainty;
   }
   if (!camera.kept()) {
     drawn.target = &camera.outcome->target.model;

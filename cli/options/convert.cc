@@ -71,8 +71,8 @@ void add_convert_options(Options& options, ConvertArguments& arguments) {
       "Fail (exit 1, nothing written) if the largest error of what was scored is more (the max of the report: "
       "polished to where it really is, between the pixels, too), or if a part of the image (of the lens, if "
       "--max-angle or --lens-circle says where it ends), more than a thousandth of it or what the fit had to give "
-      "up, has no pixel in the new model",
-      request.max_error_px);
+      "up, has no pixel in the new model; with a covariance of the parameters also '0.2sigma', of the calibration's own pixels",
+      request.max_error_px, request.max_error_sigmas);
   add_strict_option(options, "Fail if a fact of the input that the target's program uses cannot be carried", request.strict);
   options.flag_pair(
       "--verify",

@@ -45,6 +45,8 @@ constexpr std::array kHints = {
                "--fix {2}={5:.3} keeps it inside, another --model may need no such number: programs that search from it may fail"},
     OptionHint{Code::kDomainGiven, text::Part::kText, "given (--max-angle)"},
     OptionHint{Code::kDomainInsideGiven, text::Part::kText, "the whole image (it ends inside --max-angle)"},
+    OptionHint{Code::kSigmaUnknown, text::Part::kFix,
+               "set the limit in pixels (--max-error PX), or give the covariance of the camera's parameters (--with FILE)"},
     // Comparison.
     OptionHint{Code::kResolutionDiffers, text::Part::kFix,
                "say how the reference's images become the other's: --crop X,Y,W,H, --binning N, --resize {3}x{4}"},

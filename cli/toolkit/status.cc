@@ -15,7 +15,7 @@ Status status_of(const Diagnostics& diagnostics) {
   };
   if (has(Code::kAnyCannotRead)) return Status::kUnreadable;
   constexpr std::array kOfRequest = {Code::kNoInput, Code::kNoTarget, Code::kUnknownCamera, Code::kUnitWithoutUse,
-                                     Code::kRectifyViewTooWide};
+                                     Code::kRectifyViewTooWide, Code::kCommonLensNeedsPair};
   return std::ranges::any_of(kOfRequest, has) ? Status::kBadRequest : Status::kBadInput;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../lengths.h"
+#include "../uncertainties.h"
 #include "complaints.h"
 #include "topics.h"
 
@@ -58,6 +59,10 @@ class ProgramsCheck {
   }
 
   void run() {
+    if (calibration_ != nullptr && is_uncertainty_alone(calibration_->rig)) {
+      findings_.undecided(Code::kProgramNoneAlone);
+      return;
+    }
     report_.readers = ask_readers(format_.id, document_.source().bytes, with_cameras_, load_options(options_.reading, {}));
     const Consumer* own =
         options_.program != nullptr ? options_.program : consumers::own_program(format_.id, with_cameras_.value_or(true));

@@ -4,6 +4,7 @@
 #include "kalibr.h"
 #include "layout.h"
 #include "overlaps.h"
+#include "report.h"
 
 #include "../known_formats.h"
 
@@ -34,6 +35,8 @@ constexpr std::array kOwnFacts = {OwnFact{"keys of its own (cam_overlaps)"}};
 constexpr std::array kDemands = {Demand{"IMU topic", "rostopic", &Format::imu}};
 
 ProbeResult probe(const text::Document& document) {
+  if (is_report(document))
+    return {evidence::kPart, Message{Code::kFoundKeys, {std::vector<std::string>{"Calibration results"}}}};
   const Node& root = document.root();
   for (const text::Entry& entry : root.entries) {
     if (!index_in(entry.key.value, "cam") || !entry.value.is_mapping()) continue;

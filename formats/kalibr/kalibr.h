@@ -5,6 +5,7 @@
 //   T_cn_cnm1         p_cam(n) = T p_cam(n-1), metres
 //   T_cam_imu         p_cam = T p_imu
 //   timeshift_cam_imu t_imu = t_cam + timeshift, seconds
+//   results-cam.txt   standard deviations: report.h
 //   imu.yaml          *_noise_density, *_random_walk (continuous time), update_rate [Hz]; bare or under imu0:
 //
 // Read too: OpenVINS' spelling of the same (%YAML:1.0, T_imu_cam) and a top-level T_cam1_cam0, which Kalibr itself refuses.

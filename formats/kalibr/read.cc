@@ -3,6 +3,7 @@
 #include "kalibr.h"
 #include "layout.h"
 #include "poses.h"
+#include "report.h"
 
 #include "../schema/schema.h"
 
@@ -167,11 +168,15 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   Rig rig;
   for (const text::Document& document : documents) {
     Diagnostics found;
-    ChainReader(document, options, found).read_into(rig);
+    if (is_report(document)) {
+      read_report(document, rig, found);
+    } else {
+      ChainReader(document, options, found).read_into(rig);
+    }
     for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
     if (found.has_errors()) return std::nullopt;
   }
-  if (rig.cameras.empty() && rig.imus.empty()) {
+  if (rig.cameras.empty() && rig.imus.empty() && rig.uncertainties.empty()) {
     diagnostics.add(Code::kCamchainNothing, {}, {documents.front().source().name, 0, 0});
     return std::nullopt;
   }

@@ -4,6 +4,7 @@
 #include "numbers.h"
 #include "opencv.h"
 #include "rectification.h"
+#include "sigmas.h"
 
 #include "../fields.h"
 #include "../rotation_vector.h"
@@ -61,6 +62,7 @@ class CalibrationReader {
     if (!good) return;
     camera.image_size = read_size(keys, map);
     read_map_pose(keys, map, name, rig);
+    if (!keys.map.empty() || layout_.cameras.size() == 1) read_sigmas(map, camera, reader_, rig);
     rig.cameras.push_back(std::move(camera));
   }
 
@@ -257,6 +259,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
     rig.poses.insert(rig.poses.end(), part.poses.begin(), part.poses.end());
     if (!rig.rectified) rig.rectified = part.rectified;
     rig.extra_fields.insert(rig.extra_fields.end(), part.extra_fields.begin(), part.extra_fields.end());
+    rig.uncertainties.insert(rig.uncertainties.end(), part.uncertainties.begin(), part.uncertainties.end());
   }
   return rig;
 }

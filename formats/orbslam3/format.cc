@@ -96,6 +96,7 @@ const Format kFormat = {
     .modes = kModes,
     .layouts = kLayouts,
     .about_layouts = Code::kOrbslam3Layouts,
+    .common_lens_layout = kCommonLens,
     .demands = kDemands,
     .of_the_images = kOfTheImages,
     .of_the_lenses = kOfTheLenses,

@@ -26,8 +26,9 @@ struct StyleName {
   std::string_view name;
   Style style;
 };
-inline constexpr std::array kStyleNames = {StyleName{"v1", Style::kV1}, StyleName{"old", Style::kOld},
-                                           StyleName{"orbslam2", Style::kOrbSlam2},
+inline constexpr std::string_view kCommonLens = "v1-common";  ///< V1.0's, for two fisheyes with one k1 to k4.
+inline constexpr std::array kStyleNames = {StyleName{"v1", Style::kV1}, StyleName{kCommonLens, Style::kV1},
+                                           StyleName{"old", Style::kOld}, StyleName{"orbslam2", Style::kOrbSlam2},
                                            StyleName{"slam_no_opt", Style::kSlamNoOpt}};
 [[nodiscard]] constexpr std::optional<Style> style_named(std::string_view name) {
   for (const StyleName& each : kStyleNames) {

@@ -163,7 +163,8 @@ Syntax choose_syntax(const Source& source) {
   if (begins_as_python(source, text)) return Syntax::kPython;
   if (begins_as_json(text)) return Syntax::kJson;
 
-  if (is_print_of_realsense(text)) return Syntax::kWords;
+  constexpr std::string_view kReportOfKalibr = "Calibration results";
+  if (text.starts_with(kReportOfKalibr) || is_print_of_realsense(text)) return Syntax::kWords;
   const std::vector<std::string_view> lines = first_lines(text, 2);
   if (!lines.empty() && is_line_of_numbers(lines.front())) return Syntax::kWords;
   if (begins_as_table(lines) || begins_as_ini(lines)) return Syntax::kWords;

@@ -12,7 +12,8 @@ namespace fca::text {
 /// 3. `{`, and `[` before a JSON value, are JSON. YAML, too, can begin so: see falls_back_to_yaml.
 /// 4. A name that ends in .cameramodel, mrcal's, is Python. So is a mapping, behind comments or none, whose first key stands in
 ///    single quotes, by any name but one of the other syntaxes': YAML, too, can begin so, and is what Python refuses.
-/// 5. A text with a line that begins with `Intrinsic of "` is words: what librealsense's tools print.
+/// 5. A text with a line that begins with `Intrinsic of "` is words: what librealsense's tools print. So is one that
+///    begins with `Calibration results`: Kalibr's report.
 /// 6. Otherwise the first line that is neither blank nor a comment decides. Numbers, with or without one name before them, are
 /// words
 ///    (`5 -1.2 0.0`, `RadTan 0.5 0.5 ..`): no YAML mapping or list begins so. So is an .ini: a section (`[image]`) before a

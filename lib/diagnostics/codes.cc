@@ -37,6 +37,7 @@ std::vector<CodeInfo> joined_topics() {
            diagnostics::device_codes(),
            diagnostics::sensor_codes(),
            diagnostics::mrcal_codes(),
+           diagnostics::uncertainty_codes(),
            diagnostics::colmap_codes(),
            diagnostics::nerf_codes(),
            diagnostics::orbslam3_codes(),

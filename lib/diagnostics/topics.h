@@ -31,6 +31,7 @@ namespace fca::diagnostics {
 [[nodiscard]] std::span<const CodeInfo> device_codes();
 [[nodiscard]] std::span<const CodeInfo> sensor_codes();
 [[nodiscard]] std::span<const CodeInfo> mrcal_codes();
+[[nodiscard]] std::span<const CodeInfo> uncertainty_codes();
 [[nodiscard]] std::span<const CodeInfo> colmap_codes();
 [[nodiscard]] std::span<const CodeInfo> nerf_codes();
 [[nodiscard]] std::span<const CodeInfo> orbslam3_codes();

@@ -30,6 +30,15 @@ const ExtraField* Rig::find_extra_field(std::string_view owner, std::string_view
   return found == extra_fields.end() ? nullptr : &*found;
 }
 
+const Uncertainty* Rig::find_uncertainty(std::string_view camera) const {
+  const Uncertainty* found = nullptr;
+  for (const Uncertainty& each : uncertainties) {
+    if (each.camera != camera || each.sigmas.empty()) continue;
+    if (found == nullptr || (each.has_covariance() && !found->has_covariance())) found = &each;
+  }
+  return found;
+}
+
 FrameKind Rig::kind_of(std::string_view frame) const {
   if (find_camera(frame) != nullptr) return FrameKind::kCamera;
   if (std::ranges::find(imus, frame, &Imu::name) != imus.end()) return FrameKind::kImu;

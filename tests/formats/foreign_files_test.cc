@@ -138,11 +138,11 @@ const std::array kForeign = {
             Code::kLooksLikeColmapImages},
     Foreign{
         "results-cam.txt",
-        "Calibration results \n====================\nCamera-system parameters:\n\tcam0 (/image):\n"
+        "Done.\nCalibration results \n====================\nCamera-system parameters:\n\tcam0 (/image):\n"
         "\t distortion: [0.125 0.25 0. 0.] +- [0.5 0.5 0.5 0.5]\n\t projection: [500.5 500.5 320.5 240.5] +- [1. 1. 1. 1.]\n",
         Code::kLooksLikeKalibrReport},
     Foreign{"results-imucam.txt",
-            "Calibration results\n===================\nNormalized Residuals\n----------------------------\n"
+            "Done.\nCalibration results\n===================\nNormalized Residuals\n----------------------------\n"
             "Transformation (cam0):\nT_ci:  (imu0 to cam0): \n[[1. 0. 0. 0.5]\n",
             Code::kLooksLikeKalibrReport},
     Foreign{"april.yaml", "target_type: 'aprilgrid'\ntagCols: 6\ntagRows: 6\ntagSize: 0.0625\ntagSpacing: 0.25\n",

@@ -8,6 +8,7 @@
 #include "shell/option_hints.h"
 #include "shell/pair_json.h"
 #include "shell/parameters_json.h"
+#include "shell/uncertainty_text.h"
 #include "shell/verdict_json.h"
 
 #include <fca/formats/text/numbers.h>
@@ -182,6 +183,7 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, std::span<const t
       put_parameters(json, camera.target);
       if (camera.report) {
         put_report(json, *camera.report);
+        put_uncertainty(json, *camera.report, camera.target.model);
       } else {
         for (const char* key : {"domain", "error_px", "bands", "objective", "rms_fit", "fit"}) json.null(key);
       }

@@ -3,6 +3,7 @@
 #include "shell/judgement_text.h"
 #include "shell/option_hints.h"
 #include "shell/program_words.h"
+#include "shell/uncertainty_text.h"
 #include "shell/verdict_text.h"
 #include "shell/words.h"
 
@@ -227,6 +228,8 @@ std::string convert_text(const ConvertOutcome& outcome, bool written, bool with_
           kept ? domain_text(camera.report->judgement.coverage) : report_text(*camera.report, *outcome.to, camera.target.model);
     }
     if (kept) text += "  error:  none: the same model and parameters\n";
+    const std::string own = camera.report ? uncertainty_in_words(*camera.report) : "";
+    if (!own.empty()) text += "  beside: " + own + "\n";
     if (const CameraDistance* distance = distance_of(outcome, camera)) {
       text += "  seen:   " + distance_in_words(distance->in_circle) + " in the inscribed circle, as the program reads it;\n" +
               "          " + distance_in_words(distance->in_image) + " " + std::string(image_in_words(*distance)) + "\n";

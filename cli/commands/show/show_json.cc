@@ -55,6 +55,19 @@ void put_imu(Json& json, const Imu& imu) {
   if (!imu.topic.empty()) json.put("topic", imu.topic);
 }
 
+void put_uncertainty(Json& json, const Uncertainty& uncertainty) {
+  json.put("camera", uncertainty.camera);
+  json.put("source", uncertainty.where.file);
+  json.put("reprojection_rms_px", uncertainty.reprojection_rms_px);
+  if (uncertainty.sigmas.empty()) return;
+  json.put("model", uncertainty.model);
+  json.object("sigmas", [&] {
+    const std::span<const Parameter> parameters = find_model(uncertainty.model)->parameters;
+    for (std::size_t i = 0; i < uncertainty.sigmas.size(); ++i) json.put(parameters[i].name, uncertainty.sigmas[i]);
+  });
+  json.put("covariance", std::span<const double>(uncertainty.covariance));
+}
+
 void put_mode(Json& json, const ProgramReading::Mode& mode, bool lens_given) {
   const ProofResult& proof = mode.proof;
   json.put("modes", std::span<const std::string>(mode.names));
@@ -116,6 +129,20 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
     });
     json.put("baseline_m", calibration.rig.baseline_m);
     put_rectified(json, calibration.rig.rectified);
+    if (!calibration.rig.uncertainties.empty()) {
+      json.array("uncertainties", calibration.rig.uncertainties,
+                 [&](const Uncertainty& each) { json.object([&] { put_uncertainty(json, each); }); });
+    }
+    if (!calibration.rig.pose_uncertainties.empty()) {
+      json.array("pose_uncertainties", calibration.rig.pose_uncertainties, [&](const PoseUncertainty& each) {
+        json.object([&] {
+          json.put("a", each.a);
+          json.put("b", each.b);
+          json.put("rotation_rad", std::span<const double>(each.rotation_rad));
+          json.put("translation_m", std::span<const double>(each.translation_m));
+        });
+      });
+    }
     json.array("also_in_file", calibration.rig.extra_fields, [&](const ExtraField& extra) {
       json.object([&] {
         json.put("key", with_owner(extra));

@@ -69,6 +69,23 @@ std::string model_text(const Camera& camera, double limit_deg) {
   return text;
 }
 
+/// "458.654 +- 0.31": the parameters that a file states standard deviations of.
+std::string sigmas_text(const Uncertainty& uncertainty) {
+  std::string text;
+  if (!uncertainty.sigmas.empty()) {
+    const std::span<const Parameter> parameters = find_model(uncertainty.model)->parameters;
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < uncertainty.sigmas.size(); ++i) {
+      if (uncertainty.sigmas[i] > 0.0)
+        words.push_back(std::string(parameters[i].name) + " " + text::format_short(uncertainty.sigmas[i], 3));
+    }
+    text += "  sigma    " + enumerated(words, "and") + (uncertainty.has_covariance() ? ", with correlations" : "") + "\n";
+  }
+  if (uncertainty.reprojection_rms_px)
+    text += "  residual " + pixels(*uncertainty.reprojection_rms_px) + " px rms (reprojection)\n";
+  return text;
+}
+
 std::string camera_text(const Camera& camera, std::span<const ExtraField> extras, double limit_deg) {
   std::string text = camera.rays.empty() ? model_text(camera, limit_deg) : rays_text(camera);
   if (camera.time_offset_s) text += "  time     t_imu = t_cam " + signed_in_words(*camera.time_offset_s) + " s\n";
@@ -125,6 +142,24 @@ std::string pose_text(const PoseEdge& edge, const Calibration& calibration) {
   return text + "\n";
 }
 
+/// Those of poses, and those of a file without cameras.
+std::string uncertainties_text(const Rig& rig) {
+  std::string text;
+  for (const Uncertainty& each : rig.uncertainties) {
+    if (rig.find_camera(each.camera) == nullptr) text += "\n" + text::printable(each.camera) + "\n" + sigmas_text(each);
+  }
+  for (const PoseUncertainty& each : rig.pose_uncertainties) {
+    const auto listed = [](const std::array<double, 3>& values, double unit) {
+      std::vector<std::string> words;
+      for (const double value : values) words.push_back(text::format_short(value * unit, 3));
+      return enumerated(words);
+    };
+    text += "\nT_" + each.a + "_" + each.b + "\n  sigma    rotation " + listed(each.rotation_rad, kDegreesPerRadian) +
+            " deg, translation " + listed(each.translation_m, 1000.0) + " mm\n";
+  }
+  return text;
+}
+
 /// What the file says and the representation has no place for, by name.
 std::string others_text(const Rig& rig) {
   std::vector<std::string> keys;
@@ -161,6 +196,7 @@ std::string readers_text(const Readers& readers) {
 std::string parts_in_words(const Rig& rig) {
   if (!rig.cameras.empty()) return "";
   if (!rig.imus.empty()) return ", an IMU without cameras";
+  if (!rig.uncertainties.empty()) return ", the uncertainty of cameras";
   if (rig.poses.empty()) return ", without cameras and poses";
   return rig.poses.size() == 1 ? ", a pose without cameras" : ", poses without cameras";
 }
@@ -220,8 +256,11 @@ std::string show_text(const ShownFile& shown) {
                      parts_in_words(calibration.rig) + " (" + text::text_of(calibration.why, with_options) + ")\n";
   constexpr double kWholeSphere = 180.0;
   if (shown.asked) text += program_reading_text(*shown.asked, calibration, shown.file, shown.limit_deg < kWholeSphere);
-  for (const Camera& camera : calibration.rig.cameras)
+  for (const Camera& camera : calibration.rig.cameras) {
     text += camera_text(camera, calibration.rig.extra_fields, shown.limit_deg);
+    for (const Uncertainty& each : calibration.rig.uncertainties) text += each.camera == camera.name ? sigmas_text(each) : "";
+  }
+  text += uncertainties_text(calibration.rig);
   for (const Imu& imu : calibration.rig.imus) text += imu_text(imu);
   if (calibration.rig.baseline_m)
     text += "\nbaseline of the rectified pair or depth sensor: " + text::format_short(*calibration.rig.baseline_m) + " m\n";

@@ -185,6 +185,12 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
       facts.outside_lens = std::max(facts.outside_lens, camera.report->judgement.coverage.outside_lens);
   }
   facts.pair = result.pair ? &*result.pair : nullptr;
+  std::vector<OwnUncertainty> uncertainties;
+  for (const ConvertedCamera& camera : result.cameras) {
+    const bool is_known = camera.report && camera.report->uncertainty && !camera.report->uncertainty->is_limit;
+    if (is_known) uncertainties.push_back({camera.source.name, camera.report->uncertainty->rms_px});
+  }
+  facts.uncertainties = uncertainties;
   facts.accepted = request.accepted;
   Verdict verdict = decide(facts);
   add_remedies(request, start, before, result, verdict);
@@ -218,6 +224,7 @@ bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
   Start start;
   std::jthread programs;
   if (!read_start(request, files, start, programs, result)) return false;
+  if (!has_sigmas(request, start.input.rig, result)) return false;
   const ConvertResult before = result;
   const bool is_written = write_as_asked(request, start, result);
   if (!is_written && !write_where_settings_fit(request, start, before, result)) return false;

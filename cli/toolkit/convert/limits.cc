@@ -37,6 +37,21 @@ std::optional<Message> beyond_limit(const ConvertedCamera& camera, double limit_
 
 }  // namespace
 
+bool has_sigmas(const ConvertRequest& request, const Rig& rig, ConvertResult& result) {
+  if (!request.max_error_sigmas) return true;
+  for (const Camera& camera : rig.cameras) {
+    const Uncertainty* stated = rig.find_uncertainty(camera.name);
+    if (camera.rays.empty() && stated != nullptr && stated->has_covariance()) continue;
+    Message why{Code::kSigmaOfNothing};
+    if (stated != nullptr) why = {Code::kSigmaOnlyLimit, {stated->where.file}};
+    if (!camera.rays.empty()) why = {Code::kSigmaOfRays};
+    result.diagnostics.add(Code::kSigmaUnknown, {camera.name, why});
+    result.status = Status::kBadRequest;
+    return false;
+  }
+  return true;
+}
+
 void apply_limits(const ConvertRequest& request, ConvertResult& result) {
   for (const ProofResult& proof : result.proofs) {
     if (!request.max_error_px || proof.misread_px <= *request.max_error_px) continue;
@@ -60,6 +75,13 @@ void apply_limits(const ConvertRequest& request, ConvertResult& result) {
       result.diagnostics.add(beyond->code, std::move(beyond->arguments));
       result.status = Status::kRejected;
     }
+  }
+  for (const ConvertedCamera& camera : result.cameras) {
+    if (!request.max_error_sigmas || !camera.report || camera.report->exact || !camera.report->uncertainty) continue;
+    const double sigmas = camera.report->uncertainty->most_sigmas;
+    if (sigmas <= *request.max_error_sigmas) continue;
+    result.diagnostics.add(Code::kErrorBeyondSigmas, {camera.source.name, sigmas, *request.max_error_sigmas});
+    result.status = Status::kRejected;
   }
   std::vector<Message> what;
   for (const Loss& loss : result.losses) {

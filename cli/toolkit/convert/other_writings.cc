@@ -126,7 +126,7 @@ class Choice {
   Choice(const ConvertRequest& request, const ConvertResult& result)
       : is_free_(!request.layout), best_(result), layout_(name_of(request.layout)) {
     for (const std::string_view layout : result.to->layouts) {
-      if (layout != layout_) left_.push_back(layout);
+      if (layout != layout_ && layout != result.to->common_lens_layout) left_.push_back(layout);
     }
   }
 
@@ -202,7 +202,9 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
   // First in the models that the cameras have: nothing is fitted for that.
   for (const std::string_view layout : result.to->layouts) {
     if (choice.is_right()) break;
-    if (layout == name_of(request.layout) || !stores_models(*result.to, layout, result)) continue;
+    if (layout == name_of(request.layout) || layout == result.to->common_lens_layout ||
+        !stores_models(*result.to, layout, result))
+      continue;
     other.layout = FormatLayout::find(*result.to, layout);
     choice.consider(written_as(other, start, before, result), layout);
   }

@@ -11,14 +11,18 @@
 
 namespace fca {
 
-void turn_poses(const std::vector<ConvertedCamera>& cameras, std::vector<PoseEdge>& poses) {
+void turn_poses(const std::vector<ConvertedCamera>& cameras, Rig& rig) {
   for (const ConvertedCamera& camera : cameras) {
     if (!camera.report || !camera.report->turn) continue;
     const Transform& T_target_source = camera.report->turn->T_target_source;
     const Transform T_source_target = inverse(T_target_source).value();
-    for (PoseEdge& edge : poses) {
+    for (PoseEdge& edge : rig.poses) {
       if (edge.a == camera.target.name) edge.T_a_b = T_target_source * edge.T_a_b;
       if (edge.b == camera.target.name) edge.T_a_b = edge.T_a_b * T_source_target;
+    }
+    if (!rig.rectified) continue;
+    for (RectifiedPair::View& view : rig.rectified->views) {
+      if (view.camera == camera.target.name) view.T_rectified_camera = view.T_rectified_camera * T_source_target;
     }
   }
 }

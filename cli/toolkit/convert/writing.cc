@@ -4,6 +4,7 @@
 #include "assumptions.h"
 #include "camera_names.h"
 #include "choose_model.h"
+#include "common_lens.h"
 #include "into.h"
 #include "parallel_for.h"
 #include "placing.h"
@@ -17,6 +18,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/reach.h>
+#include <fca/convert/uncertainty.h>
 #include <fca/formats/counted_cameras.h>
 
 #include <algorithm>
@@ -34,7 +36,7 @@ Rig converted_rig(const Calibration& calibration, const std::vector<ConvertedCam
     if (request.frame_rate_hz) rig.cameras[i].frame_rate_hz = request.frame_rate_hz;
   }
   if (request.baseline_m) rig.baseline_m = request.baseline_m;
-  turn_poses(cameras, rig.poses);
+  turn_poses(cameras, rig);
   return rig;
 }
 
@@ -61,6 +63,16 @@ void add_reach(const Format& to, const ModelChoice& choice, std::vector<Converte
     if (!camera.report || camera.report->exact || stored == nullptr) return;
     Diagnostics told_already;
     camera.report->reach = reach_table(camera.source, options_for(*stored, choice), *camera.report, told_already);
+  });
+}
+
+/// The calibration's own uncertainty beside the error of each conversion.
+void add_uncertainties(const Rig& rig, const ConvertRequest& request, std::vector<ConvertedCamera>& cameras) {
+  parallel_for(cameras.size(), request.jobs, [&](std::size_t i) {
+    ConvertedCamera& camera = cameras[i];
+    if (!camera.report) return;
+    camera.report->uncertainty = pixel_uncertainty(camera.source, camera.target, *camera.report,
+                                                   rig.find_uncertainty(camera.source.name), request.inputs.max_angle_rad);
   });
 }
 
@@ -157,8 +169,10 @@ bool Writing::fit() {
       convert_cameras(input_.rig.cameras, *result_.to, choice_, result_.diagnostics);
   if (!cameras) return false;
   result_.cameras = *std::move(cameras);
+  if (!share_lens(request_, *result_.to, choice_.most_cameras, result_.cameras, result_.diagnostics)) return false;
   tell_of_turns(input_.rig, result_.cameras, result_.diagnostics);
   if (request_.in_detail) add_reach(*result_.to, choice_, result_.cameras);
+  add_uncertainties(input_.rig, request_, result_.cameras);
   return put_together();
 }
 

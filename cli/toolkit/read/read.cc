@@ -114,8 +114,13 @@ Reading read(const ReadRequest& request, Files& files) {
     calibration.rig.poses = poses_of_first(calibration.rig);
     if (!calibration.poses_without_unit.empty()) calibration.poses_without_unit = calibration.rig.poses;
   }
-  reading.readers = ask_readers(calibration.format->id, calibration.documents.front().source().bytes,
-                                !calibration.rig.cameras.empty(), load_options(read_options(request.inputs)));
+  const Rig& rig = calibration.rig;
+  const bool is_for_no_program =
+      rig.cameras.empty() && rig.imus.empty() && rig.poses.empty() && !rig.uncertainties.empty();  // a report of uncertainty
+  if (!is_for_no_program) {
+    reading.readers = ask_readers(calibration.format->id, calibration.documents.front().source().bytes, !rig.cameras.empty(),
+                                  load_options(read_options(request.inputs)));
+  }
   if (request.program != nullptr) {
     const std::vector<Finding> findings = findings_in(calibration, request.inputs, reading.diagnostics);
     reading.asked = ask_program(*request.program, calibration, request.inputs, findings);

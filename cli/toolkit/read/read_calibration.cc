@@ -3,6 +3,7 @@
 #include "read/lens_circles.h"
 
 #include <fca/code.h>
+#include <fca/convert/uncertainty.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/image_change.h>
 #include <fca/rig/leave_out.h>
@@ -50,6 +51,9 @@ bool change_images(const ImageChange& change, const std::string& input, Rig& rig
     const ImageSize& from = *camera.image_size;
     diagnostics.add(Code::kImagesChanged,
                     {camera.name, steps_of(change), from.width, from.height, in_words(map, 0), in_words(map, 1)});
+    for (Uncertainty& uncertainty : rig.uncertainties) {
+      if (uncertainty.camera == camera.name) uncertainty = with_pixels(uncertainty, camera.model, map);
+    }
     camera = *changed;
   }
   return true;
@@ -90,6 +94,8 @@ void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
     std::erase_if(rig.extra_fields, [&name](const ExtraField& extra) { return extra.owner == name; });
     const auto is_of_it = [&name](const RectifiedPair::View& view) { return view.camera == name; };
     if (rig.rectified && std::ranges::any_of(rig.rectified->views, is_of_it)) rig.rectified.reset();
+    std::erase_if(rig.uncertainties, [&name](const Uncertainty& each) { return each.camera == name; });
+    std::erase_if(rig.pose_uncertainties, [&name](const PoseUncertainty& each) { return each.a == name || each.b == name; });
     leave_out(name, rig);
   }
   rig.cameras = std::move(cameras);

@@ -164,7 +164,8 @@ std::span<const CodeInfo> orbslam3_codes() {
              "; not stereo: {0} and {1} sit one above the other, and its matches of a pair lie next to each other"),
       clause(Code::kOrbslam3FirstIsLeft, "ORB-SLAM3 takes the first camera of a stereo pair for the left one"),
       clause(Code::kOrbslam3Layouts,
-             "v1 (stock V1.0), old (before V1.0), orbslam2 or slam_no_opt (default: the input's, else what V1.0 reads best)"),
+             "v1 (stock V1.0), v1-common (with one k1 to k4 for two fisheyes, as V1.0 uses them), old (before V1.0), orbslam2 "
+             "or slam_no_opt (default: the input's, else what V1.0 reads best)"),
   };
   return kRows;
 }

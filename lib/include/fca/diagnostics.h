@@ -23,6 +23,7 @@ struct SourceRange {
   std::string file;
   std::size_t offset = 0;
   std::size_t length = 0;
+  bool operator==(const SourceRange&) const = default;
 };
 
 /// One finding.

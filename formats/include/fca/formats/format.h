@@ -206,6 +206,9 @@ struct Format {
   std::span<const std::string_view> modes = {};    ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
   Code about_layouts = {};                         ///< "v1 (stock V1.0), old (before V1.0), ...", a clause.
+  /// One of `layouts`, in which two fisheyes are written with one set of lens parameters, since the program takes the first
+  /// one's for both.
+  std::string_view common_lens_layout = {};
   bool leaves_model_open = false;  ///< Some of its files do not show which of two models they hold (ReadOptions).
   std::span<const Demand> demands = {};
   /// Keys of own facts (ExtraField::key) that count pixels or rows of the images, and are stale for others.

@@ -15,6 +15,13 @@
 
 namespace fca {
 
+/// The calibration's own uncertainty of a camera whose covariance is known: one standard deviation of its pixels, the root mean
+/// square over the image.
+struct OwnUncertainty {
+  std::string camera;  ///< By its name in the rig.
+  double rms_px = 0.0;
+};
+
 /// All that is known of a written file, or of one that is evaluated as it is.
 struct VerdictFacts {
   const Format* to = nullptr;                ///< Of the file.
@@ -34,6 +41,7 @@ struct VerdictFacts {
   /// Of each written file the cameras of the rig that it holds; empty: nothing is written, all count.
   std::span<const std::vector<std::string>> files = {};
   const PairError* pair = nullptr;  ///< Of a stereo pair among the written cameras; null: there is none.
+  std::span<const OwnUncertainty> uncertainties = {};  ///< An error below that is no reason for care.
   double outside_lens = 0.0;  ///< The share of the image that the lens as it was given leaves out, of the camera with most.
   std::span<const Acceptance> accepted = {};
 };

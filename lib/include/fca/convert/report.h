@@ -61,6 +61,21 @@ struct Judgement {
   std::vector<ErrorBand> bands;
 };
 
+/// The calibration's own uncertainty over the scored part of the image: one standard deviation of a pixel along the direction
+/// in which it is largest.
+struct PixelUncertainty {
+  bool is_limit = false;      ///< Correlations are not known: no pixel is more uncertain than that, and each may be less.
+  bool of_residuals = false;  ///< Computed from the fit's own residuals, of a table of rays.
+  std::string source;         ///< The file that states the parameters' standard deviations; empty: `of_residuals`.
+  double rms_px = 0.0;
+  double max_px = 0.0;
+  Pixel max_at{};            ///< The source's pixel where it is.
+  double most_sigmas = 0.0;  ///< The largest ratio, over the image, of the conversion's error to the uncertainty there.
+  std::vector<double> bands_px = {};    ///< Root mean square between the angles of Judgement::bands, one for one.
+  std::vector<double> sigmas = {};      ///< Of the target's parameters; empty where `is_limit`, and of an exact copy.
+  std::vector<double> covariance = {};  ///< The same, row by row.
+};
+
 /// How the target was found.
 struct FitSummary {
   int samples = 0;
@@ -130,6 +145,7 @@ struct ConversionReport {
   std::vector<UnusualParameter> unusual;
   std::optional<AbsorbedTurn> turn;     ///< Only if asked for, and where it helps.
   std::optional<TurnOffer> turn_offer;  ///< Where nobody asked, and it would take a fifth off a visible error.
+  std::optional<PixelUncertainty> uncertainty = {};  ///< Where it is known (uncertainty.h).
   std::vector<ReachRow> reach;  ///< Only if asked for, and where the lens's angle matters and nothing states it (reach.h).
 };
 

@@ -6,6 +6,7 @@
 #include <fca/models/camera_model.h>
 #include <fca/rig/lens_circle.h>
 #include <fca/rig/transform.h>
+#include <fca/rig/uncertainty.h>
 
 #include <array>
 #include <optional>
@@ -129,10 +130,15 @@ struct Rig {
   std::optional<double> baseline_m;
   /// Where the files state it.
   std::optional<RectifiedPair> rectified = {};
+  /// Of cameras by their names; no target format holds any. Of several of one camera the first that states it counts.
+  std::vector<Uncertainty> uncertainties = {};
+  std::vector<PoseUncertainty> pose_uncertainties = {};
 
   /// `name`, or with "_2", "_3", ... behind it where a camera is called so.
   [[nodiscard]] std::string unused_name(const std::string& name) const;
   [[nodiscard]] const Camera* find_camera(std::string_view name) const;
+  /// The first statement of a camera's standard deviations, one with a covariance before others; null if there is none.
+  [[nodiscard]] const Uncertainty* find_uncertainty(std::string_view camera) const;
   /// The first field of that owner ("": none) with that key; null if there is none.
   [[nodiscard]] const ExtraField* find_extra_field(std::string_view owner, std::string_view key) const;
 

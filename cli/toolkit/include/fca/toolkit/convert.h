@@ -96,6 +96,9 @@ struct ConvertRequest {
   std::optional<double> baseline_m;     ///< Of a rectified pair or depth sensor.
   std::vector<KeyValue> settings;       ///< Values of the written file that no calibration states.
   std::optional<double> max_error_px;   ///< kRejected if a camera's largest error is more.
+  /// kRejected if a camera's error is anywhere more than so many standard deviations of the calibration's own pixels; of a
+  /// camera without a covariance a bad request.
+  std::optional<double> max_error_sigmas;
   bool strict = false;                  ///< kRejected if anything of the input is lost.
   /// The cameras as arguments of the program's command line (Format::arguments), as one file in place of the others.
   bool as_arguments = false;

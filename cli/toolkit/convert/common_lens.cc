@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common_lens.h"
+
+#include <fca/code.h>
+#include <fca/convert/common_lens.h>
+#include <fca/convert/judge.h>
+#include <fca/convert/reach.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <span>
+#include <utility>
+
+namespace fca {
+
+namespace {
+
+constexpr std::size_t kPair = 2;
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+/// What the model is off by, as a conversion's report has it; nothing with an error where the source has no domain.
+std::optional<ConversionReport> report_of(const Camera& source, const CameraModel& model, const ConvertRequest& request,
+                                          Diagnostics& diagnostics) {
+  const std::optional<Domain> domain = domain_of(source, request.inputs.max_angle_rad, diagnostics);
+  if (!domain) return std::nullopt;
+  ConversionReport report;
+  report.from_model = source.lens_id();
+  report.to_model = model_info(model).id;
+  report.judgement = judge(source.model, model, *domain, {.every_pixel = request.every_pixel});
+  report.scored_to_deg = std::min(domain->max_angle_rad, max_angle(model)) * kDegrees;
+  return report;
+}
+
+}  // namespace
+
+bool share_lens(const ConvertRequest& request, const Format& to, std::size_t held, std::vector<ConvertedCamera>& cameras,
+                Diagnostics& diagnostics) {
+  if (!request.layout || to.common_lens_layout.empty() || request.layout->name() != to.common_lens_layout) return true;
+  const auto is_fisheye = [](const ConvertedCamera& camera) {
+    return camera.source.rays.empty() && !sees_ahead_only(model_info(camera.target.model).id);
+  };
+  const bool is_pair = std::min(held, cameras.size()) >= kPair &&
+                       std::all_of(cameras.begin(), cameras.begin() + kPair, is_fisheye) &&
+                       cameras[0].target.lens_id() == cameras[1].target.lens_id();
+  if (!is_pair) {
+    std::vector<std::string> models;
+    models.reserve(cameras.size());
+    for (const ConvertedCamera& camera : cameras)
+      models.push_back(camera.source.name + " " + std::string(camera.target.lens_id()));
+    diagnostics.add(Code::kCommonLensNeedsPair, {to.common_lens_layout, models});
+    return false;
+  }
+  const std::array<Camera, kPair> sources = {cameras[0].source, cameras[1].source};
+  const std::array<CameraModel, kPair> own = {cameras[0].target.model, cameras[1].target.model};
+  const std::vector<CameraModel> before = with_lens_of_first(own);
+  const std::optional<std::vector<CameraModel>> after =
+      fit_common_lens(sources, own, request.inputs.max_angle_rad, diagnostics);
+  if (!after) {
+    if (!diagnostics.has_errors()) diagnostics.add(Code::kFitFailed, {sources[1].name, model_info(own[1]).id});
+    return false;
+  }
+  std::array<double, kPair> rms_before{};
+  std::array<double, kPair> rms_after{};
+  for (std::size_t i = 0; i < kPair; ++i) {
+    const std::optional<ConversionReport> misread = report_of(sources.at(i), before[i], request, diagnostics);
+    std::optional<ConversionReport> report = report_of(sources.at(i), (*after)[i], request, diagnostics);
+    if (!misread || !report) return false;
+    rms_before.at(i) = misread->judgement.error.rms;
+    rms_after.at(i) = report->judgement.error.rms;
+    cameras[i].target.model = (*after)[i];
+    cameras[i].report = std::move(report);
+  }
+  constexpr double kRounding = 1e-9;  // px
+  for (double& rms : rms_before) rms = rms < kRounding ? 0.0 : rms;
+  diagnostics.add(Code::kCommonLensFitted,
+                  {sources[0].name, sources[1].name, rms_after[0], rms_after[1], rms_before[0], rms_before[1]});
+  return true;
+}
+
+}  // namespace fca
