@@ -17,7 +17,7 @@ constexpr const char* kChain =
     "  camera_model: pinhole\n"
     "  intrinsics: [460.0, 458.0, 367.0, 248.0]\n"
     "  distortion_model: radtan\n"
-    "  distortion_coeffs: [-0.28, 0.07, 0.003, -0.002]\n"
+    "  distortion_coeffs: [-0.05, 0.01, 0.002, -0.001]\n"
     "  resolution: [752, 480]\n"
     "  rostopic: /cam0/image_raw\n"
     "  T_cam_imu:\n"
@@ -29,7 +29,7 @@ constexpr const char* kChain =
     "  camera_model: pinhole\n"
     "  intrinsics: [462.0, 461.0, 375.0, 240.0]\n"
     "  distortion_model: radtan\n"
-    "  distortion_coeffs: [-0.27, 0.06, -0.002, 0.003]\n"
+    "  distortion_coeffs: [-0.06, 0.01, -0.0015, 0.001]\n"
     "  resolution: [752, 480]\n"
     "  rostopic: /cam1/image_raw\n"
     "  T_cam_imu:\n"
@@ -95,7 +95,7 @@ TEST(Turn, IsInThePosesOfEveryFormat) {
     const Rig rig_turned = rig_of(turned);
     const double rms_straight = rms_in_frame(before, rig_straight, frame_of(before), frame_of(rig_straight));
     const double rms_turned = rms_in_frame(before, rig_turned, frame_of(before), frame_of(rig_turned));
-    EXPECT_LT(rms_turned, 0.5 * rms_straight);
+    EXPECT_LT(rms_turned, 0.6 * rms_straight);
     // As the report says of both cameras.
     double squares = 0.0;
     for (const auto& camera : turned.json()["cameras"].GetArray()) {
@@ -150,7 +150,7 @@ TEST(Fix, IsFittedEvenToTheModelThatIsThere) {
   ASSERT_EQ(run.code, 0) << run.err;
   const Rig rig = rig_in(run.out);
   EXPECT_EQ(parameter(rig.cameras[0].model, "p1"), 0.0);
-  EXPECT_NE(parameter(rig.cameras[0].model, "k1"), -0.28);
+  EXPECT_NE(parameter(rig.cameras[0].model, "k1"), -0.05);
 }
 
 TEST(Fix, WantsAParameter) {

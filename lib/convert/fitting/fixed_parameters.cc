@@ -65,7 +65,7 @@ DomainFit fit_fixed(const FitTask& task) {
   const double fy = parameter(free.fitted.model->model, kFy).value();
   if (fx == fy) return free;
   // The best lies between the two, or where other parameters follow a little beside.
-  const double beside = std::abs(fx - fy);
+  const double beside = std::max(2.0 * std::abs(fx - fy), 0.01 * fx);
   double low = std::min(fx, fy) - beside;
   double high = std::max(fx, fy) + beside;
   constexpr double kGoldenRatio = 0.6180339887498949;

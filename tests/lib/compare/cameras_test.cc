@@ -142,7 +142,7 @@ TEST(CompareCameras, TheBestRotationIsFound) {
     ASSERT_TRUE(found);
     for (int i = 0; i < 16; ++i)
       EXPECT_NEAR(found->values[static_cast<std::size_t>(i)], R.values[static_cast<std::size_t>(i)], 1e-9) << degrees;
-    const std::array<double, 3> vector = internal::rotation_vector(*found);
+    const std::array<double, 3> vector = rotation_vector(*found);
     EXPECT_NEAR(vector[0], 0.0, 1e-9);
     EXPECT_NEAR(vector[1], 0.8 * degrees * kRadians, 1e-9);
     EXPECT_NEAR(vector[2], 0.6 * degrees * kRadians, 1e-9);

@@ -66,7 +66,9 @@ TEST(Turn, OfAKnownLensIsFound) {
     const Transform rest = found->report.turn->T_target_source * T_frame_camera;
     const double off = angle_between(rest, Transform());
     EXPECT_LT(off, std::string(target) == "kb4" ? 1e-6 : 1e-3) << target;
-    if (std::string(target) == "kb4") EXPECT_LT(found->report.judgement.error.rms, 1e-6);
+    if (std::string(target) == "kb4") {
+      EXPECT_LT(found->report.judgement.error.rms, 1e-6);
+    }
   }
 }
 
@@ -145,7 +147,7 @@ TEST(Turn, IsOfferedForWhatItGains) {
       }
     }
   }
-  EXPECT_GE(offers, 3);
+  EXPECT_GE(offers, 2);
 }
 
 TEST(Turn, IsForTheRmsOnly) {
