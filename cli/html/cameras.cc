@@ -65,7 +65,7 @@ void put_judgement(Html& html, const ShownCamera& camera) {
   const Judgement& j = report.judgement;
   const std::string scored = camera.kept() ? "" : "; " + coverage_text(j.coverage, report.scored_to_deg);
   line("domain: ", domain_in_words(j.coverage) + scored);
-  if (const std::string own = uncertainty_in_words(report); !own.empty()) line("beside: ", own);
+  if (const std::string own = uncertainty_in_words(report); !own.empty()) line("against: ", own);
   if (camera.kept()) {
     line("error: ", "none: the same model and parameters");
     return;

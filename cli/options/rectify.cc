@@ -45,7 +45,7 @@ void add_view_options(Options& options, RectifyArguments& arguments) {
   options.number(
       "--alpha", "A",
       "As OpenCV's: 0: the rectified images show only what the cameras see; 1: all that they see. (Default: what the "
-      "file states; else 0, and for lenses of 120 deg and more as fine as the middle of the images)",
+      "file contains; else 0, and for lenses of 120 deg and more as fine as the middle of the images)",
       [&request](double alpha) -> std::optional<std::string> {
         if (!(alpha >= 0.0 && alpha <= 1.0)) return "--alpha wants a number from 0 to 1";
         return take_view(RectifiedByAlpha{alpha}, request);

@@ -166,7 +166,7 @@ std::span<const CodeInfo> file_codes() {
             "give cameras.txt, and rigs.txt if there is one; QW to TZ are T_camera_world, of one image"),
       error(Code::kLooksLikeKalibrReport, kUnknown,
             "looks like Kalibr's report in words with something before it ({0} and {1})",
-            "give the report as Kalibr wrote it, beside its camchain; T_1_0 is T_cam1_cam0, T_ci T_cam_imu"),
+            "give the report as Kalibr wrote it, with its camchain; T_1_0 is T_cam1_cam0, T_ci T_cam_imu"),
       error(Code::kLooksLikeKalibrTarget, kUnknown,
             "looks like the target that Kalibr calibrates with, no calibration ({0} and {1})",
             "give the camchain that Kalibr wrote"),

@@ -229,7 +229,7 @@ std::string convert_text(const ConvertOutcome& outcome, bool written, bool with_
     }
     if (kept) text += "  error:  none: the same model and parameters\n";
     const std::string own = camera.report ? uncertainty_in_words(*camera.report) : "";
-    if (!own.empty()) text += "  beside: " + own + "\n";
+    if (!own.empty()) text += "  against: " + own + "\n";
     if (const CameraDistance* distance = distance_of(outcome, camera)) {
       text += "  seen:   " + distance_in_words(distance->in_circle) + " in the inscribed circle, as the program reads it;\n" +
               "          " + distance_in_words(distance->in_image) + " " + std::string(image_in_words(*distance)) + "\n";

@@ -38,7 +38,7 @@ std::string place(const RectifyResult& result) {
 
 std::string origin(const RectifyArguments& arguments, const RectifyResult& result) {
   if (result.is_rectified) return "the images are rectified already: the file holds their camera";
-  if (result.is_stated) return "rectified as the file states it";
+  if (result.is_stated) return "rectified as the file has it";
   if (arguments.like_opencv) return "rectified by OpenCV";
   return "rectification computed from the pose";
 }
@@ -116,7 +116,7 @@ std::string settings(const Rectifying& done) {
   for (const DefaultedValue& value : result.defaults) {
     if (value.look_at_it) set.push_back(text_of(value, with_options));
   }
-  if (!set.empty()) text += line("set", enumerated(set) + ": no input states it");
+  if (!set.empty()) text += line("set", enumerated(set) + ": no input contains it");
   for (const Loss& loss : result.losses) text += line("lost", what_of(loss, with_options) + ": " + why_of(loss, with_options));
   return text;
 }

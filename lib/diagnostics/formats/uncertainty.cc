@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view kLine = "report-line";
 constexpr std::string_view kOther = "other-calibration";
 constexpr std::string_view kCovariance = "impossible-covariance";
-constexpr std::string_view kGiveItsOwn = "give the report that was written beside the calibration";
+constexpr std::string_view kGiveItsOwn = "give the report that was written with the calibration";
 
 }  // namespace
 
@@ -22,10 +22,10 @@ std::span<const CodeInfo> uncertainty_codes() {
       error(Code::kReportBracketMissing, kLine, "{0}: {1} is missing", "give the report as Kalibr wrote it"),
       error(Code::kReportUnknownGeometry, kLine, "{0}: '{1}' is no camera of Kalibr's that fca-io knows"),
       error(Code::kReportTwice, kLine, "{0} comes twice"),
-      error(Code::kReportNothing, kLine, "the report states no camera's numbers; it may be cut off",
+      error(Code::kReportNothing, kLine, "the report contains no camera's numbers; it may be cut off",
             "give the report as Kalibr wrote it"),
       error(Code::kReportSigmaNegative, "impossible-sigma", "{0}: {1} is no standard deviation"),
-      error(Code::kUncertaintyOfOtherCamera, kOther, "it states the uncertainty of {0}; the calibration holds {1}",
+      error(Code::kUncertaintyOfOtherCamera, kOther, "it contains the uncertainty of {0}; the calibration holds {1}",
             kGiveItsOwn),
       error(Code::kUncertaintyOfOtherModel, kOther, "{0} is {1} here and {2} in the calibration", kGiveItsOwn),
       error(Code::kUncertaintyOfOtherValues, kOther,

@@ -114,12 +114,11 @@ std::span<const CodeInfo> convert_codes() {
       bad_request(Code::kSigmaUnknown, "sigma-unknown", "{0}: the limit is in standard deviations, and {1}",
                   "set the limit in pixels, or give the covariance of the camera's parameters"),
       clause(Code::kSigmaOnlyLimit,
-             "{0} states those of the parameters without their correlations, which limits those of pixels "
+             "{0} contains those of the parameters without their correlations, which limits those of pixels "
              "from above only"),
       clause(Code::kSigmaOfRays, "the error of a fit to measured rays contains their noise"),
-      clause(Code::kSigmaOfNothing, "nothing states how uncertain the calibration is"),
-      bad_request(Code::kCommonLensNeedsPair, "layout-unfit",
-                  "{0} is for a stereo pair of fisheyes (KannalaBrandt8): {1}"),
+      clause(Code::kSigmaOfNothing, "no input contains the uncertainty of the calibration"),
+      bad_request(Code::kCommonLensNeedsPair, "layout-unfit", "{0} is for a stereo pair of fisheyes (KannalaBrandt8): {1}"),
       note(Code::kCommonLensFitted, "common-lens",
            "{0} and {1} get one k1 to k4, fitted to both, and each its own fx fy cx cy: as the program reads them they are "
            "{2:px} and {3:px} px rms off in place of {4:px} and {5:px}"),

@@ -53,7 +53,7 @@ std::span<const CodeInfo> request_codes() {
       error(Code::kRectifyNeedsPair, "no-pair", "a stereo pair is two cameras, and the file holds {0}",
             "give the file of the other camera, too"),
       error(Code::kRectifyNoPose, "pose-missing", "no pose says how {0} and {1} sit to each other",
-            "give a file that states it, too"),
+            "give a file that contains it, too"),
       error(Code::kRectifySizesDiffer, "image-size",
             "images of {0} are {1} x {2} px and those of {3} are {4} x {5} px; a pair's have one size",
             "give cameras of images of one size"),
@@ -78,7 +78,7 @@ std::span<const CodeInfo> request_codes() {
             "write settings of rectified images"),
       error(Code::kRectifyOpencvFailed, "no-rectification", "OpenCV rectifies no such pair: {0}"),
       warning(Code::kRectificationOfOtherImages, "stale-derived",
-              "the rectification that the file states is of other images, and is left out", "compute another one"),
+              "the rectification in the file is of other images, and is left out", "compute another one"),
 
       // evaluate
       error(Code::kNotThePapersSize, "image-size", "the image is {0} x {1} px, and the paper's cameras are of {2:or}",
