@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, HoldsRectification, testing::Values("opencv", 
                          [](const auto& format) { return format.param; });
 
 TEST(Rectification, IsLostWithAWordWhereThereIsNoPlace) {
-  for (const char* format : {"kalibr", "basalt"}) {
+  for (const char* format : {"kalibr", "tumvi"}) {
     const std::optional<Written> files = written(pair_rig(false), format);
     ASSERT_TRUE(files) << format;
     EXPECT_TRUE(drops_it(*files)) << format;

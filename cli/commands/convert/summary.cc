@@ -68,8 +68,11 @@ SummaryLine line_of(const ConvertResult& outcome, const ConvertedCamera& camera)
 void add_pair(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   constexpr double kNothingPx = 0.01;
   if (!outcome.pair || outcome.pair->max_px() < kNothingPx) return;
-  const auto says_it = [](const Reason& reason) { return reason.facts.code == Code::kVerdictEpipolarError; };
-  if (std::ranges::any_of(outcome.verdict.reasons, says_it)) return;
+  // What a lens cannot be takes lines enough.
+  const auto says_more = [](const Reason& reason) {
+    return reason.facts.code == Code::kVerdictEpipolarError || reason.facts.code == Code::kTargetCannotReach;
+  };
+  if (std::ranges::any_of(outcome.verdict.reasons, says_more)) return;
   lines.push_back(
       {"pair", "epipolar error rms " + pixels(outcome.pair->rms_px()) + " px, max " + pixels(outcome.pair->max_px()) + " px"});
 }

@@ -234,7 +234,7 @@ bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
     try_nearer_fit(request, start, before, result);
   }
   name_better_models(request, start, result);
-  result.pair = pair_error_of(start.input.rig, result);
+  if (request.into.empty()) result.pair = pair_error_of(start.input.rig, result);  // a base names the cameras otherwise
   result.rms_px = worst_rms_px(result);
   result.max_px = worst_max_px(result);
   for (Loss& loss : result.losses) loss.matters = matters(loss, *result.to, result.mode);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pair_errors.h"
 
+#include <fca/rig/contradictions.h>
 #include <fca/rig/stereo_pair.h>
 
 #include <algorithm>
@@ -27,7 +28,9 @@ std::optional<PairError> pair_error_of(const Rig& input, const ConvertResult& re
   const std::optional<Transform> T = rig.resolve(second.name, first.name);
   const std::optional<Transform> T_written = files.resolve(second.name, first.name);
   if (!T || !T_written) return std::nullopt;
-  return pair_error({first, written(first)}, {second, written(second)}, *T, *T_written);
+  // Which of two statements is the pose, the verdict on contradictions says.
+  const bool is_doubtful = !contradictions(input).empty();
+  return pair_error({first, written(first)}, {second, written(second)}, is_doubtful ? *T_written : *T, *T_written);
 }
 
 }  // namespace fca
