@@ -201,11 +201,7 @@ class ReportReader {
     if (!skip_blanks() || bytes_.compare(at_, 2, "+-") != 0)
       throw broken(std::min(at_, bytes_.size() - 1), Code::kReportBracketMissing, {what, "+-"});
     at_ += 2;
-    const std::size_t place = at_;
-    result.second = read_list(what, sigmas);
-    for (const double sigma : result.second) {
-      if (sigma < 0.0) throw broken(place + 1, Code::kReportSigmaNegative, {what, sigma});
-    }
+    result.second = read_list(what, sigmas, 0.0);
     const std::size_t line_end = std::min(bytes_.find('\n', at_), bytes_.size());
     const std::size_t rest = bytes_.find_first_not_of(kBlanks, at_);
     if (rest < line_end) {
@@ -216,7 +212,9 @@ class ReportReader {
     return result;
   }
 
-  std::vector<double> read_list(const std::string& what, std::size_t count) {
+  /// Numbers of which none is below `least`.
+  std::vector<double> read_list(const std::string& what, std::size_t count,
+                                double least = -std::numeric_limits<double>::infinity()) {
     if (!skip_blanks() || bytes_[at_] != '[')
       throw broken(std::min(at_, bytes_.size() - 1), Code::kReportBracketMissing, {what, "["});
     Node list;
@@ -235,7 +233,10 @@ class ReportReader {
     }
     std::vector<double> numbers;
     numbers.reserve(words.size());
-    for (const Node& word : words) numbers.push_back(number(word, what));
+    for (const Node& word : words) {
+      numbers.push_back(number(word, what));
+      if (numbers.back() < least) throw broken(word, Code::kReportSigmaNegative, {what, numbers.back()});
+    }
     return numbers;
   }
 
