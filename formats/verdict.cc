@@ -299,7 +299,8 @@ void add_strange_pair(const VerdictFacts& facts, std::vector<Reason>& reasons) {
 /// What the fits of both cameras do to a stereo pair: no pixel of either need be far off.
 void add_epipolar_error(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   if (facts.pair == nullptr) return;
-  const VerdictWord word = word_of(facts.pair->rms_px(), kRmsPx);
+  // Over all that both see, corners too: for those alone no file is refused.
+  const VerdictWord word = std::min(word_of(facts.pair->rms_px(), kRmsPx), VerdictWord::kUseWithCare);
   if (word == VerdictWord::kReady) return;
   reasons.push_back({.word = word,
                      .facts = {Code::kVerdictEpipolarError,

@@ -43,20 +43,20 @@ std::optional<ClaimedPair> claimed_pair(const Subject& subject) {
 }
 
 /// About the axis and of the axis, as one rotation behind the other (swing and twist).
-void check_turn(const ClaimedPair& pair, const SourceRange& where, Findings& findings) {
+void check_turn(const ClaimedPair& pair, const FindPlace& where, Findings& findings) {
   constexpr double kTurned = 60.0;  // deg
   const Quaternion q = quaternion_of(pair.T_second_first);
   const double roll = std::abs(2.0 * std::atan2(q[2], q[3])) * kDegrees;
   const double turn = std::acos(std::clamp(pair.T_second_first(2, 2), -1.0, 1.0)) * kDegrees;
   if (turn > kTurned) {
-    findings.add(Code::kPairTurned, {pair.first, pair.second, turn}, where);
+    findings.add(Code::kPairTurned, {pair.first, pair.second, turn}, where());
   } else if (roll > kTurned) {
-    findings.add(Code::kPairRolled, {pair.first, pair.second, roll}, where);
+    findings.add(Code::kPairRolled, {pair.first, pair.second, roll}, where());
   }
 }
 
 /// Does the rectification state the same pose?
-void check_rectification(const Subject& subject, const ClaimedPair& pair, const SourceRange& where, Findings& findings) {
+void check_rectification(const Subject& subject, const ClaimedPair& pair, const FindPlace& where, Findings& findings) {
   const std::optional<RectifiedPair>& rectified = subject.rig().rectified;
   if (!rectified || !rectified->sources.empty()) return;
   const Transform stated = pose_of(*rectified);
@@ -68,12 +68,12 @@ void check_rectification(const Subject& subject, const ClaimedPair& pair, const 
   if (angle <= kNoticeable * kLargestAngle && metres <= kNoticeable * largest_distance) return;
   constexpr double kMmPerM = 1000.0;
   findings.add(angle > kLargestAngle || metres > largest_distance ? Severity::kError : Severity::kWarning,
-               Code::kRectificationContradicts, {pair.first, pair.second, angle, kMmPerM * metres}, where);
+               Code::kRectificationContradicts, {pair.first, pair.second, angle, kMmPerM * metres}, where());
 }
 
 }  // namespace
 
-void check_stereo_pair(const Subject& subject, const SourceRange& where, Findings& findings) {
+void check_stereo_pair(const Subject& subject, const FindPlace& where, Findings& findings) {
   const std::optional<ClaimedPair> pair = claimed_pair(subject);
   if (!pair) return;
   check_turn(*pair, where, findings);
@@ -81,8 +81,8 @@ void check_stereo_pair(const Subject& subject, const SourceRange& where, Finding
   constexpr double kFarApart = 2.0;  // m
   constexpr double kNoRig = 10.0;    // m; more is a unit that nobody states, which is told
   const double metres = distance_of(pair->T_second_first);
-  if (metres > kFarApart && metres <= kNoRig && !findings.has(Code::kAnyTranslationInMm, where))
-    findings.add(Code::kPairFarApart, {pair->first, pair->second, metres}, where);
+  if (metres > kFarApart && metres <= kNoRig && !findings.has(Code::kAnyTranslationInMm, where()))
+    findings.add(Code::kPairFarApart, {pair->first, pair->second, metres}, where());
 }
 
 }  // namespace fca::checks

@@ -285,7 +285,7 @@ std::vector<Defect> defects() {
       {"a pose that is not the rectification's",
        {"rectification-contradicts"},
        [](Rig& rig) {
-         if (!rig.rectified || rig.stated("cam1", "cam0") == nullptr) return false;
+         if (!rig.rectified || rig.cameras.size() != 2 || rig.stated("cam1", "cam0") == nullptr) return false;
          for (PoseEdge& edge : rig.poses) {
            if (edge.a == "cam1") edge.T_a_b(0, 3) *= 1.3;
          }

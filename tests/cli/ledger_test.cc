@@ -93,6 +93,8 @@ std::string fact_of(const std::string& code, const std::string& what, const Form
     if (to.pair_poses) return kButForAStereoPair;
     return "poses" + (to.id == "opencv" ? kButForAPair : "");
   }
+  // A pair's rotations are its poses in the frame of the rectified images.
+  if (code == "rectification-dropped" && from.frame == "rectified") return "poses in the frame rectified";
   const auto found = kFacts.find(code);
   return found == kFacts.end() ? code : found->second;
 }

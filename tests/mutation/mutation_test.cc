@@ -67,6 +67,8 @@ Change change(const Leaves& before, const Leaves& after) {
 /// All that is a fact of cameras and IMUs; what a Rig has no member for is kept as read and says itself.
 Rig facts_of(Rig rig) {
   rig.extra_fields.clear();
+  for (Uncertainty& each : rig.uncertainties) each.where = {};  // a place is no fact
+  for (PoseUncertainty& each : rig.pose_uncertainties) each.where = {};
   return rig;
 }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <utility>
 
 namespace fca::internal {
@@ -28,6 +30,24 @@ DomainFit fit_with(const FitTask& task, double f) {
 /// What the search makes small.
 double cost_of(const DomainFit& fit) {
   return fit.fitted.model ? fit.score.judgement.error.rms : std::numeric_limits<double>::infinity();
+}
+
+/// From `middle` downhill in steps that double, until it goes up again. In mei and ds f and xi change together, and the valley
+/// is long.
+std::pair<double, double> bracket_of_minimum(double middle, double step, const std::function<double(double)>& cost_at) {
+  constexpr int kMostSteps = 12;
+  const double here = cost_at(middle);
+  const double direction = cost_at(middle + step) < here ? 1.0 : -1.0;
+  double before = middle - direction * step;
+  double cost = here;
+  for (int i = 0; i < kMostSteps; ++i, step *= 2.0) {
+    const double next = middle + direction * step;
+    const double cost_next = next > 0.0 ? cost_at(next) : std::numeric_limits<double>::infinity();
+    if (!(cost_next < cost)) return std::minmax({before, std::max(next, 0.0)});
+    before = std::exchange(middle, next);
+    cost = cost_next;
+  }
+  return std::minmax({before, middle});
 }
 
 }  // namespace
@@ -64,12 +84,13 @@ DomainFit fit_fixed(const FitTask& task) {
   const double fx = parameter(free.fitted.model->model, kFx).value();
   const double fy = parameter(free.fitted.model->model, kFy).value();
   if (fx == fy) return free;
-  // The best lies between the two, or where other parameters follow a little beside.
-  const double beside = std::max(2.0 * std::abs(fx - fy), 0.01 * fx);
-  double low = std::min(fx, fy) - beside;
-  double high = std::max(fx, fy) + beside;
+  const auto cost_at = [&task](double f) { return cost_of(fit_with(task, f)); };
+  const auto bracket = bracket_of_minimum(0.5 * (fx + fy), std::max(std::abs(fx - fy), 0.01 * fx), cost_at);
+  double low = bracket.first;
+  double high = bracket.second;
+  const double beside = high - low;
   constexpr double kGoldenRatio = 0.6180339887498949;
-  constexpr double kCloseEnough = 1e-5;  // of the distance of fx and fy: errors are flat at the bottom
+  constexpr double kCloseEnough = 1e-5;  // errors are flat at the bottom
   const auto inside = [&](double share) { return low + share * (high - low); };
   double left = inside(1.0 - kGoldenRatio);
   double right = inside(kGoldenRatio);
