@@ -93,8 +93,8 @@ std::string fact_of(const std::string& code, const std::string& what, const Form
     if (to.pair_poses) return kButForAStereoPair;
     return "poses" + (to.id == "opencv" ? kButForAPair : "");
   }
-  // A pair's rotations are its poses in the frame of the rectified images.
-  if (code == "rectification-dropped" && from.frame == "rectified") return "poses in the frame rectified";
+  // A pair's rotations and its common image, R and P of both files.
+  if (code == "rectification-dropped" && from.frame == "rectified") return std::string(from.own_facts.front().name);
   const auto found = kFacts.find(code);
   return found == kFacts.end() ? code : found->second;
 }
