@@ -94,7 +94,8 @@ void add_input_options(Options& options, Inputs& inputs) {
   options.value("--from", "FORMAT",
                 "The input's format, one of fca-io formats, or a program's name (default: found by its content)",
                 [&inputs](const std::string& word) { return take_format("--from", word, inputs.format); });
-  options.each("--with", "FILE", "A further part of the same calibration, e.g. imu.yaml or results-cam.txt; may be given several times",
+  options.each("--with", "FILE",
+               "A further part of the same calibration, e.g. imu.yaml or results-cam.txt; may be given several times",
                inputs.parts);
   options.value(
       "--camera", "LIST", "Only these cameras, in this order: 1,0 or cam1",

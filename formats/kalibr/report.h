@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Kalibr's report in words: results-cam.txt of kalibr_calibrate_cameras (CameraUtils.py, printParameters) and results-imucam.txt
-// of kalibr_calibrate_imu_camera (IccUtil.py, printResultTxt).
+// Kalibr's report in words: results-cam.txt of kalibr_calibrate_cameras (CameraUtils.py, printParameters) and
+// results-imucam.txt of kalibr_calibrate_imu_camera (IccUtil.py, printResultTxt).
 //
 //   cam0 (/topic):
 //       type: <class '....DistortedPinholeCameraGeometry'>

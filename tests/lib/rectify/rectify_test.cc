@@ -123,7 +123,8 @@ TEST(Rectify, RotationsOfFisheyesAreOpenCvs) {
   }
 }
 
-// OpenCV undistorts the corners in five steps, which are enough for lenses of little distortion, and borders at nine points each.
+// OpenCV undistorts the corners in five steps, which are enough for lenses of little distortion, and borders at nine points
+// each.
 TEST(Rectify, TheCommonCameraIsNearOpenCvs) {
   std::mt19937 random(30);
   const Camera first = radtan("left", {-0.1, 0.02, 2e-4, 2e-5});

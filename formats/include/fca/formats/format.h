@@ -133,7 +133,7 @@ struct Written {
   /// That the files state, between cameras by the rig's names: they are read back (write_calibration()).
   std::vector<PoseEdge> poses = {};
   bool states_rectification = false;  ///< The files state Rig::rectified.
-  std::vector<PoseEdge> restated;     ///< Poses that the files say otherwise than the rig, on purpose; each is among the losses.
+  std::vector<PoseEdge> restated;  ///< Poses that the files say otherwise than the rig, on purpose; each is among the losses.
 };
 
 /// What speaks for a format, by its weight. Formats for which the same speaks tie, and the user is asked.

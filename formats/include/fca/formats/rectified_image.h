@@ -13,8 +13,8 @@ struct RectifiedImage {
   Transform T_rectified_camera;  ///< A rotation.
 };
 
-/// Of a camera_info whose R or P says another camera than its K; nothing of any other file, nor of images that are a part of the
-/// sensor's.
+/// Of a camera_info whose R or P says another camera than its K; nothing of any other file, nor of images that are a part of
+/// the sensor's.
 [[nodiscard]] std::optional<RectifiedImage> rectified_image(const Rig& rig, const Camera& camera);
 
 }  // namespace fca

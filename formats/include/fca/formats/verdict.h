@@ -40,7 +40,7 @@ struct VerdictFacts {
   const Contradiction* outvoted = nullptr;       ///< That of the pose that was left out of what is written, if one was.
   /// Of each written file the cameras of the rig that it holds; empty: nothing is written, all count.
   std::span<const std::vector<std::string>> files = {};
-  const PairError* pair = nullptr;  ///< Of a stereo pair among the written cameras; null: there is none.
+  const PairError* pair = nullptr;                     ///< Of a stereo pair among the written cameras; null: there is none.
   std::span<const OwnUncertainty> uncertainties = {};  ///< An error below that is no reason for care.
   double outside_lens = 0.0;  ///< The share of the image that the lens as it was given leaves out, of the camera with most.
   std::span<const Acceptance> accepted = {};

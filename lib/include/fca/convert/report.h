@@ -143,8 +143,8 @@ struct ConversionReport {
   std::optional<RmsFit> rms_fit;      ///< Of a fit for the largest error.
   std::vector<std::string> at_bound;  ///< Parameters that ended at the edge of their range.
   std::vector<UnusualParameter> unusual;
-  std::optional<AbsorbedTurn> turn;     ///< Only if asked for, and where it helps.
-  std::optional<TurnOffer> turn_offer;  ///< Where nobody asked, and it would take a fifth off a visible error.
+  std::optional<AbsorbedTurn> turn;                  ///< Only if asked for, and where it helps.
+  std::optional<TurnOffer> turn_offer;               ///< Where nobody asked, and it would take a fifth off a visible error.
   std::optional<PixelUncertainty> uncertainty = {};  ///< Where it is known (uncertainty.h).
   std::vector<ReachRow> reach;  ///< Only if asked for, and where the lens's angle matters and nothing states it (reach.h).
 };

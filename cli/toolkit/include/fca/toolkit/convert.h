@@ -99,7 +99,7 @@ struct ConvertRequest {
   /// kRejected if a camera's error is anywhere more than so many standard deviations of the calibration's own pixels; of a
   /// camera without a covariance a bad request.
   std::optional<double> max_error_sigmas;
-  bool strict = false;                  ///< kRejected if anything of the input is lost.
+  bool strict = false;  ///< kRejected if anything of the input is lost.
   /// The cameras as arguments of the program's command line (Format::arguments), as one file in place of the others.
   bool as_arguments = false;
   bool verify = true;                ///< The programs that read the files are asked about their bytes.
