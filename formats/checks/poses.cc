@@ -214,9 +214,8 @@ bool check_distances(const Subject& subject, Findings& findings) {
   if (rig.baseline_m && too_far(subject, *rig.baseline_m) && !name_bf(subject, findings))
     say_distance(*rig.baseline_m, Code::kBaselineTooLong, {*rig.baseline_m}, subject.places.baseline(), findings);
   check_stereo_order(subject, findings);
-  if (rig.cameras.size() > 1)
-    check_stereo_pair(
-        subject, [&subject] { return place_of_pair(subject); }, findings);
+  const FindPlace place = [&subject] { return place_of_pair(subject); };
+  if (rig.cameras.size() > 1) check_stereo_pair(subject, place, findings);
   check_rectified_order(subject, findings);
   check_vehicle_direction(subject, findings);
   return !rig.poses.empty() || rig.baseline_m;

@@ -49,7 +49,7 @@ std::optional<RectifiedPair> rectified_by(const OpenCvRectifier& opencv, const s
       return std::nullopt;
     }
     pair.D.at(i) = *D;
-    const auto value = [&model](ParameterId name) { return parameter(model, name).value(); };
+    const auto value = [&model](const ParameterId& name) { return parameter(model, name).value(); };
     pair.K.at(i) = {value("fx"), 0.0, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0};
   }
   const std::optional<OpenCvRectification> found = opencv(pair);

@@ -16,7 +16,7 @@ namespace {
 constexpr ParameterId kFx = "fx";
 constexpr ParameterId kFy = "fy";
 
-bool has(const ModelInfo& model, ParameterId parameter) {
+bool has(const ModelInfo& model, const ParameterId& parameter) {
   return std::ranges::find(model.parameters, parameter.name(), &Parameter::name) != model.parameters.end();
 }
 
@@ -108,9 +108,8 @@ DomainFit fit_fixed(const FitTask& task) {
     }
     time += (is_left ? of_left : of_right).time;
   }
-  DomainFit& best = cost_of(of_left) < cost_of(of_right) ? of_left : of_right;
-  best.time = time;
-  return std::move(best);
+  of_left.time = of_right.time = time;
+  return cost_of(of_left) < cost_of(of_right) ? std::move(of_left) : std::move(of_right);
 }
 
 }  // namespace fca::internal
