@@ -296,10 +296,13 @@ void add_strange_pair(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   }
 }
 
-/// What the fits of both cameras do to a stereo pair: no pixel of either need be far off.
+/// What the fits of both cameras do to a stereo pair: no pixel of either need be far off. It is over all that both see: of wide
+/// lenses corners would decide, which decide nothing else, and no file is refused for it.
 void add_epipolar_error(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   if (facts.pair == nullptr) return;
-  // Over all that both see, corners too: for those alone no file is refused.
+  const auto is_wide = [](const CameraProof& camera) { return camera.distance.is_wide; };
+  if (std::ranges::any_of(facts.proofs, [&](const ProofResult& proof) { return std::ranges::any_of(proof.cameras, is_wide); }))
+    return;
   const VerdictWord word = std::min(word_of(facts.pair->rms_px(), kRmsPx), VerdictWord::kUseWithCare);
   if (word == VerdictWord::kReady) return;
   reasons.push_back({.word = word,

@@ -31,7 +31,7 @@ std::span<const CodeInfo> conversion_codes() {
           "{0}: on its axis a radian has {1:.3} times as many pixels in one direction as in another; no lens and sensor do so, "
           "and no model is fitted to it",
           "compare the focal lengths (or c, d and e) with the calibration's result"),
-      warning(Code::kParameterUnusual, "parameter-unusual",
+      note(Code::kParameterUnusual, "parameter-unusual",
               "{0}: the best {1} has {2} = {3:.4}, and published cameras lie within [{4:.3}, {5:.3}]; inside that range the "
               "error is {6:.3} px rms instead of {7:.3}",
               "keep it inside the range, or take another model: programs that search from such numbers may fail"),

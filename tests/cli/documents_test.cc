@@ -147,8 +147,8 @@ TEST(AllDocuments, MentionCommandsAndOptionsThatExist) {
 
 TEST(AllDocuments, ForUsersMentionOptionsThatExist) {
   std::set<std::string> all;
-  for (const std::string command : {"convert", "show", "check", "compare", "report", "remap", "project", "unproject", "formats",
-                                    "models", "programs", "evaluate", "version"}) {
+  for (const std::string command : {"convert", "show", "check", "compare", "report", "remap", "rectify", "project", "unproject",
+                                    "formats", "models", "programs", "evaluate", "version"}) {
     EXPECT_FALSE(options_of(command).empty()) << command;
     all.insert(options_of(command).begin(), options_of(command).end());
   }

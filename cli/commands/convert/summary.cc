@@ -68,7 +68,8 @@ SummaryLine line_of(const ConvertResult& outcome, const ConvertedCamera& camera)
 void add_pair(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   constexpr double kNothingPx = 0.01;
   if (!outcome.pair || outcome.pair->max_px() < kNothingPx) return;
-  // What a lens cannot be takes lines enough.
+  // Why a file is not to be used, and what a lens cannot be, take lines enough.
+  if (outcome.verdict.word == VerdictWord::kDoNotUse) return;
   const auto says_more = [](const Reason& reason) {
     return reason.facts.code == Code::kVerdictEpipolarError || reason.facts.code == Code::kTargetCannotReach;
   };

@@ -150,8 +150,8 @@ std::string uncertainties_text(const Rig& rig) {
   }
   for (const PoseUncertainty& each : rig.pose_uncertainties) {
     const auto listed = [](const std::array<double, 3>& values, double unit) {
-      std::vector<std::string> words;
-      for (const double value : values) words.push_back(text::format_short(value * unit, 3));
+      std::vector<std::string> words(values.size());
+      std::ranges::transform(values, words.begin(), [unit](double value) { return text::format_short(value * unit, 3); });
       return enumerated(words);
     };
     text += "\nT_" + each.a + "_" + each.b + "\n  sigma    rotation " + listed(each.rotation_rad, kDegreesPerRadian) +
