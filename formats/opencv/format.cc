@@ -51,6 +51,7 @@ const Format kFormat = {
     .own_facts = kOwnFacts,
     .layouts = kLayoutNames,
     .about_layouts = Code::kOpencvLayouts,
+    .rectified = RectifiedFiles::kCameras,
     .leaves_model_open = true,
     .models = kModels,
     .probe = probe,

@@ -97,6 +97,7 @@ const Format kFormat = {
     .layouts = kLayouts,
     .about_layouts = Code::kOrbslam3Layouts,
     .common_lens_layout = kCommonLens,
+    .rectified = RectifiedFiles::kImages,
     .demands = kDemands,
     .of_the_images = kOfTheImages,
     .of_the_lenses = kOfTheLenses,

@@ -76,6 +76,7 @@ const Format kFormat = {
     .image_size = true,
     .frame = "rectified",
     .own_facts = kOwnFacts,
+    .rectified = RectifiedFiles::kCameras,
     .of_the_images = kOfTheImages,
     .of_the_lenses = kOfTheLenses,
     .models = kModels,

@@ -16,9 +16,6 @@ namespace {
 
 constexpr std::string_view kOrbSlam2 = "orbslam2";
 
-/// ORB-SLAM3 gets the camera of rectified images, ORB-SLAM2 the two cameras, too, by which it makes those itself.
-bool wants_rectified_images(const Format& format) { return format.id == "orbslam3"; }
-
 std::string_view program_of(const RectifyRequest& request) {
   return name_of(request.layout) == kOrbSlam2 ? "ORB-SLAM2" : request.to->program;
 }
@@ -71,7 +68,7 @@ bool is_held(const RectifyRequest& request, const RectifyResult& result, Diagnos
     return false;
   };
   const std::string program(program_of(request));
-  if (wants_rectified_images(*request.to)) {
+  if (request.to->rectified == RectifiedFiles::kImages) {
     if (result.pair.is_vertical) return refuse(Code::kRectifyVertical, {first.name, second.name, program});
     const double left = result.pair.views[0].centre[0];
     const double right = result.pair.views[1].centre[0];
@@ -105,17 +102,22 @@ void prove_file(const ConvertedFile& file, const Written& written, const Rig& ri
 
 }  // namespace
 
-std::vector<std::string_view> rectified_formats() { return {"orbslam3", "ros", "opencv"}; }
+std::vector<std::string> rectified_formats() {
+  std::vector<std::string> ids;
+  for (const Format& format : written_formats()) {
+    if (format.rectified != RectifiedFiles::kNone) ids.emplace_back(format.id);
+  }
+  return ids;
+}
 
 bool write_settings(const RectifyRequest& request, const Calibration& input, RectifyResult& result) {
   const Format& to = *request.to;
-  const std::vector<std::string_view> known = rectified_formats();
-  if (std::ranges::find(known, to.id) == known.end()) {
-    result.diagnostics.add(Code::kRectifyNoPlace, {to.title, std::vector<std::string>(known.begin(), known.end())});
+  if (to.rectified == RectifiedFiles::kNone) {
+    result.diagnostics.add(Code::kRectifyNoPlace, {to.title, rectified_formats()});
     return false;
   }
   if (!is_held(request, result, result.diagnostics)) return false;
-  const bool images = wants_rectified_images(to);
+  const bool images = to.rectified == RectifiedFiles::kImages;
   const Rig rig = images ? rig_of_images(input.rig, result) : rig_of_cameras(result);
   WriteOptions options;
   options.anew = true;

@@ -7,7 +7,7 @@
 
 namespace fca {
 
-/// Adds to the result the files of the format that is asked for, and what its program makes of them. False with errors.
+/// Adds to the result the files in the request's format, and how its program reads them. False with errors.
 [[nodiscard]] bool write_settings(const RectifyRequest& request, const Calibration& input, RectifyResult& result);
 
 }  // namespace fca

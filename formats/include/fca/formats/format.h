@@ -168,6 +168,13 @@ enum class FormatGroup {
   kDevices,  ///< Memories of devices, written in a factory.
 };
 
+/// What the files of a format say of a rectified stereo pair.
+enum class RectifiedFiles : std::uint8_t {
+  kNone,
+  kImages,   ///< The camera of the rectified images, and the baseline.
+  kCameras,  ///< Both cameras as they take the images, and how these are rectified.
+};
+
 /// A row of the registry.
 struct Format {
   std::string_view id;
@@ -209,6 +216,7 @@ struct Format {
   /// One of `layouts`, in which two fisheyes are written with one set of lens parameters, since the program takes the first
   /// one's for both.
   std::string_view common_lens_layout = {};
+  RectifiedFiles rectified = RectifiedFiles::kNone;
   bool leaves_model_open = false;  ///< Some of its files do not show which of two models they hold (ReadOptions).
   std::span<const Demand> demands = {};
   /// Keys of own facts (ExtraField::key) that count pixels or rows of the images, and are stale for others.

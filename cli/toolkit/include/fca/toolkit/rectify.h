@@ -21,7 +21,7 @@
 namespace fca {
 
 /// The formats that hold a rectified pair.
-[[nodiscard]] std::vector<std::string_view> rectified_formats();
+[[nodiscard]] std::vector<std::string> rectified_formats();
 
 struct OpenCvPair;  // toolkit/rectify/stereo_rectify.h
 struct OpenCvRectification;
