@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "best_rotation.h"
 
+#include "../rig/eigen_rotation.h"
+
 #include <fca/convert/sample.h>
 
 #include <cmath>
@@ -41,12 +43,6 @@ Eigen::Matrix3d wahba(const std::vector<Pair>& pairs) {
   return svd.matrixU() * Eigen::Vector3d(1.0, 1.0, handedness < 0.0 ? -1.0 : 1.0).asDiagonal() * svd.matrixV().transpose();
 }
 
-Eigen::Matrix3d turned(const Eigen::Vector3d& vector, const Eigen::Matrix3d& R) {
-  const double angle = vector.norm();
-  if (angle == 0.0) return R;
-  return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix() * R;
-}
-
 std::optional<Eigen::Vector2d> error_of(const CameraModel& other, const Pair& pair, const Eigen::Matrix3d& R) {
   const Eigen::Vector3d ray = R * pair.reference;
   const std::optional<Pixel> pixel = project(other, {ray[0], ray[1], ray[2]});
@@ -76,8 +72,8 @@ Eigen::Vector3d step_from(const CameraModel& other, const std::vector<Pair>& pai
     bool all = true;
     for (int axis = 0; axis < 3; ++axis) {
       const Eigen::Vector3d along = kStep * Eigen::Vector3d::Unit(axis);
-      const std::optional<Eigen::Vector2d> after = error_of(other, pair, turned(along, R));
-      const std::optional<Eigen::Vector2d> before = error_of(other, pair, turned(-along, R));
+      const std::optional<Eigen::Vector2d> after = error_of(other, pair, rotation_by(along) * R);
+      const std::optional<Eigen::Vector2d> before = error_of(other, pair, rotation_by(-along) * R);
       all = all && after && before;
       if (all) slopes.col(axis) = (*after - *before) / (2.0 * kStep);
     }
@@ -95,7 +91,7 @@ Eigen::Matrix3d polished(const CameraModel& other, std::vector<Pair> pairs, Eige
   for (int i = 0; i < kSteps; ++i) {
     const Eigen::Vector3d step = step_from(other, pairs, R);
     if (!step.allFinite()) break;
-    const Eigen::Matrix3d next = turned(step, R);
+    const Eigen::Matrix3d next = rotation_by(step) * R;
     const double next_cost = cost_of(other, pairs, next);
     if (!(next_cost < cost)) break;
     R = next;
@@ -112,11 +108,7 @@ std::optional<Transform> best_rotation(const Lens& reference, const CameraModel&
   if (pairs.size() < kFewest) return std::nullopt;
   const Eigen::Matrix3d R = polished(other, pairs, wahba(pairs));
   if (!R.allFinite()) return std::nullopt;
-  Transform T;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) T(row, column) = R(row, column);
-  }
-  return T;
+  return transform_of(R);
 }
 
 }  // namespace fca::internal

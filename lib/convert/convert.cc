@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/convert/convert.h>
 
+#include "absorbed_turn.h"
 #include "evaluation/stages.h"
 #include "exact.h"
 #include "fitting/degree.h"
 #include "fitting/fit_domain.h"
 #include "fitting/fixed_parameters.h"
 #include "fitting/minimax.h"
-#include "fitting/turn.h"
 #include "table_conversion.h"
 
 #include <fca/code.h>
 #include <fca/convert/domain.h>
 #include <fca/convert/judge.h>
 #include <fca/convert/reach.h>
-#include <fca/convert/sample.h>
-#include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <chrono>
@@ -110,7 +108,8 @@ internal::Scorer scorer_of(const FitTask& task, const CameraModel& model, double
 /// Does nothing beyond double's rounding separate the two models? Then no fit is reported as one.
 std::optional<Conversion> exact_conversion(const FitTask& task) {
   const std::optional<CameraModel> model = internal::convert_exactly(task.camera.model, task.target.id);
-  if (!model || !internal::is_as_fixed(*model, task.options) || !validate(*model).empty()) return std::nullopt;
+  if (!model || !within(*model, task.options.ranges) || !is_as_fixed(*model, task.options.fixed) || !validate(*model).empty())
+    return std::nullopt;
   Conversion conversion{task.camera, {}};
   conversion.camera.model = *model;
   conversion.report.exact = true;
@@ -140,52 +139,6 @@ void cut_worst_pixel(const FitTask& task, double reach_rad, std::span<const Para
   report.judgement = std::move(after);
   report.at_bound = std::move(fit.at_bound);
   model = fit.model;
-}
-
-/// What a turn is fitted to: the rays inside the angle up to which the fit counts.
-std::vector<Correspondence> samples_for_turn(const FitTask& task, double reach_rad, int count) {
-  Domain domain = task.domain;
-  domain.max_angle_rad = std::min(domain.max_angle_rad, reach_rad);
-  return sample(task.camera.model, domain, count);
-}
-
-/// Replaces a fit by one that a turn of the camera is a part of, if that is better and reaches as much.
-void absorb_turn(const FitTask& task, const internal::DegreeFit& fit, Conversion& conversion, Diagnostics& diagnostics) {
-  constexpr int kSamples = 800;
-  const internal::SampledFit& straight = fit.fit.fitted;
-  const std::optional<internal::TurnedFit> turned =
-      internal::fit_with_turn(*straight.model, samples_for_turn(task, straight.reach_rad, kSamples), fit.ranges);
-  ConversionReport& report = conversion.report;
-  if (turned && validate(turned->fitted.model).empty()) {
-    const Projection image_of = [&turned](const Ray& ray) {
-      return project(turned->fitted.model, rotated(turned->T_target_source, ray));
-    };
-    const internal::Scorer scorer{task.camera.model, nullptr, &image_of, task.domain, straight.reach_rad};
-    Judgement judgement = final_judgement(task, scorer, internal::score_on_lattice(scorer));
-    const ErrorSummary& before = report.judgement.error;
-    constexpr double kSameShare = 1e-3;
-    if (judgement.error.rms < before.rms && judgement.coverage.scored >= report.judgement.coverage.scored - kSameShare) {
-      report.turn = AbsorbedTurn{turned->T_target_source, before.rms, before.max};
-      report.judgement = std::move(judgement);
-      report.at_bound = turned->fitted.at_bound;
-      conversion.camera.model = turned->fitted.model;
-      return;
-    }
-  }
-  diagnostics.add(Code::kTurnDoesNotHelp, {task.camera.name});
-}
-
-/// What a turn would come to, where it would make a visible error smaller.
-std::optional<TurnOffer> offered_turn(const FitTask& task, const internal::DegreeFit& fit, double rms_px) {
-  constexpr double kVisible = 0.02;  // px
-  constexpr double kWorthIt = 0.8;
-  constexpr int kSamples = 200;
-  if (rms_px < kVisible) return std::nullopt;
-  const internal::SampledFit& fitted = fit.fit.fitted;
-  const std::optional<internal::TurnEstimate> turned =
-      internal::estimate_turn(*fitted.model, samples_for_turn(task, fitted.reach_rad, kSamples), fit.ranges);
-  if (!turned || turned->rms_px >= kWorthIt * rms_px) return std::nullopt;
-  return TurnOffer{turned->angle_rad / kRadiansPerDegree, turned->rms_px};
 }
 
 /// The first of the fits whose largest error is proven, of those that count; else the first. `judgement`: that of it.
@@ -237,9 +190,9 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
     diagnostics.add(Code::kParameterUnusual, {task.camera.name, task.target.id, each.name, each.value, each.usual[0],
                                               each.usual[1], each.rms_inside_px, conversion.report.judgement.error.rms});
   if (task.options.absorb_turn) {
-    absorb_turn(task, chosen, conversion, diagnostics);
+    internal::absorb_turn(task, chosen, conversion, diagnostics);
   } else {
-    conversion.report.turn_offer = offered_turn(task, chosen, conversion.report.judgement.error.rms);
+    conversion.report.turn_offer = internal::offered_turn(task, chosen, conversion.report.judgement.error.rms);
   }
   if (task.options.objective == Objective::kMax) cut_worst_pixel(task, fitted.reach_rad, chosen.ranges, conversion);
   conversion.report.scored_to_deg = scored_to_deg(task, conversion.camera.model, fitted.reach_rad);
@@ -285,6 +238,10 @@ bool within(const CameraModel& model, std::span<const ParameterRange> ranges) {
     const std::optional<double> value = parameter(model, range.parameter);
     return !value || (*value >= range.lower && *value <= range.upper);
   });
+}
+
+bool is_as_fixed(const CameraModel& model, const FixedParameters& fixed) {
+  return within(model, fixed.at) && (!fixed.one_focal_length || parameter(model, "fx") == parameter(model, "fy"));
 }
 
 std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics) {

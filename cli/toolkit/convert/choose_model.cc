@@ -78,14 +78,9 @@ bool may_be_chosen(const StoredModel& stored, const ModelChoice& choice) {
 namespace {
 
 /// A camera that has what is to be fixed otherwise is fitted, even to its own model.
-bool is_as_fixed(const CameraModel& model, const ModelChoice& choice) {
-  const FixedParameters& fixed = choice.request.fixed;
-  return within(model, fixed.at) && (!fixed.one_focal_length || parameter(model, "fx") == parameter(model, "fy"));
-}
-
 bool keeps(const Camera& camera, const StoredModel& stored, const ModelChoice& choice) {
   return camera.lens_id() == stored.model && within(camera.model, ranges_of(stored, choice)) &&
-         is_as_fixed(camera.model, choice);
+         is_as_fixed(camera.model, choice.request.fixed);
 }
 
 std::optional<ConvertedCamera> convert_one(const Camera& camera, const StoredModel& stored, const ModelChoice& choice,

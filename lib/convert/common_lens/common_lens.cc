@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/convert/common_lens.h>
 
-#include "../uncertainty/jacobian.h"
+#include "../fitting/minimise.h"
+#include "../fitting/pixel_jacobian.h"
 
 #include <fca/convert/domain.h>
 #include <fca/convert/sample.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -43,72 +44,65 @@ Index number_of_unknowns(std::span<const Parameter> parameters, std::size_t came
   return lens + static_cast<Index>(cameras) * own;
 }
 
-/// Normal equations of all cameras; nothing where a ray has no pixel.
-struct Normal {
-  MatrixXd matrix;
-  VectorXd right;
-  double cost = 0.0;
-};
+/// The models with all parameters as they are in `unknowns`.
+std::vector<CameraModel> models_of(std::span<const CameraModel> like, const double* unknowns) {
+  const std::span<const Parameter> parameters = model_info(like.front()).parameters;
+  std::vector<CameraModel> models(like.begin(), like.end());
+  for (std::size_t camera = 0; camera < models.size(); ++camera) {
+    const std::span<double> values = parameter_values(models[camera]);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = unknowns[place_of(parameters, i, camera)];
+  }
+  return models;
+}
 
-std::optional<Normal> normal_equations(std::span<const CameraModel> models, const Samples& samples) {
+/// Of models that share their lens parameters.
+std::vector<double> unknowns_of(std::span<const CameraModel> models) {
+  const std::span<const Parameter> parameters = model_info(models.front()).parameters;
+  std::vector<double> unknowns(static_cast<std::size_t>(number_of_unknowns(parameters, models.size())));
+  for (std::size_t camera = 0; camera < models.size(); ++camera) {
+    const std::span<const double> values = parameter_values(models[camera]);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      unknowns[static_cast<std::size_t>(place_of(parameters, i, camera))] = values[i];
+  }
+  return unknowns;
+}
+
+/// Of all cameras; false where one is none or a ray has no pixel.
+bool sum_up(std::span<const CameraModel> models, const Samples& samples, internal::NormalEquations& sums) {
   const std::span<const Parameter> parameters = model_info(models.front()).parameters;
   const Index count = number_of_unknowns(parameters, models.size());
-  Normal sums{MatrixXd::Zero(count, count), VectorXd::Zero(count), 0.0};
+  MatrixXd matrix = MatrixXd::Zero(count, count);
+  VectorXd gradient = VectorXd::Zero(count);
+  sums.cost = 0.0;
   for (std::size_t camera = 0; camera < models.size(); ++camera) {
+    if (!validate(models[camera]).empty()) return false;
     const std::optional<PixelJacobian> jacobian = internal::jacobian_of(models[camera], samples[camera]);
-    if (!jacobian) return std::nullopt;
+    if (!jacobian) return false;
     MatrixXd columns = MatrixXd::Zero(jacobian->columns.rows(), count);
     for (std::size_t i = 0; i < parameters.size(); ++i)
       columns.col(place_of(parameters, i, camera)) = jacobian->columns.col(static_cast<Index>(i));
-    sums.matrix += columns.transpose() * columns;
-    sums.right -= columns.transpose() * jacobian->residuals;
+    matrix += columns.transpose() * columns;
+    gradient += columns.transpose() * jacobian->residuals;
     sums.cost += jacobian->residuals.squaredNorm();
   }
-  return sums;
+  if (sums.gradient.empty()) return true;
+  std::ranges::copy(gradient, sums.gradient.begin());
+  std::ranges::copy(matrix.reshaped(), sums.hessian.begin());  // symmetric
+  return true;
 }
 
-std::vector<CameraModel> moved(std::span<const CameraModel> models, const VectorXd& step) {
-  const std::span<const Parameter> parameters = model_info(models.front()).parameters;
-  std::vector<CameraModel> result(models.begin(), models.end());
-  for (std::size_t camera = 0; camera < result.size(); ++camera) {
-    const std::span<double> values = parameter_values(result[camera]);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] += step[place_of(parameters, i, camera)];
-  }
-  return result;
-}
-
-bool are_cameras(std::span<const CameraModel> models) {
-  return std::ranges::all_of(models, [](const CameraModel& model) { return validate(model).empty(); });
-}
-
-/// Levenberg-Marquardt from models that share their lens parameters. Nothing where they do not reach all samples.
 struct Found {
   std::vector<CameraModel> models;
   double cost = std::numeric_limits<double>::infinity();
 };
-std::optional<Found> minimised(std::vector<CameraModel> models, const Samples& samples) {
-  constexpr int kMostSteps = 100;
-  constexpr double kSmallest = 1e-12;
-  constexpr double kMostDamped = 1e12;
-  std::optional<Normal> sums = normal_equations(models, samples);
-  if (!sums || !are_cameras(models)) return std::nullopt;
-  double damping = 1e-4;
-  for (int i = 0; i < kMostSteps && damping < kMostDamped; ++i) {
-    MatrixXd damped = sums->matrix;
-    damped.diagonal() *= 1.0 + damping;
-    std::vector<CameraModel> next = moved(models, damped.ldlt().solve(sums->right));
-    std::optional<Normal> there = are_cameras(next) ? normal_equations(next, samples) : std::nullopt;
-    if (!there || !(there->cost < sums->cost)) {
-      damping *= 10.0;
-      continue;
-    }
-    const bool is_done = sums->cost - there->cost <= kSmallest * sums->cost;
-    models = std::move(next);
-    sums = std::move(there);
-    damping *= 0.1;
-    if (is_done) break;
-  }
-  return Found{std::move(models), sums->cost};
+/// From models that share their lens parameters. Nothing where they do not reach all samples.
+std::optional<Found> minimised(std::span<const CameraModel> start, const Samples& samples) {
+  std::vector<double> unknowns = unknowns_of(start);
+  const internal::Minimum minimum = internal::minimise(
+      [&](const double* at, internal::NormalEquations& sums) { return sum_up(models_of(start, at), samples, sums); },
+      internal::Effort(), unknowns);
+  if (!minimum.usable) return std::nullopt;
+  return Found{models_of(start, unknowns.data()), minimum.cost};
 }
 
 }  // namespace
@@ -140,7 +134,7 @@ std::optional<std::vector<CameraModel>> fit_common_lens(std::span<const Camera> 
     std::swap(models.front(), models[i]);
     models = with_lens_of_first(models);
     std::swap(models.front(), models[i]);
-    std::optional<Found> found = minimised(std::move(models), samples);
+    std::optional<Found> found = minimised(models, samples);
     if (found && (!best || found->cost < best->cost)) best = std::move(found);
   }
   return best ? std::optional(std::move(best->models)) : std::nullopt;

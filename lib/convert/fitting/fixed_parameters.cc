@@ -74,10 +74,6 @@ std::optional<ConvertOptions> with_fixed(const Camera& source, const ModelInfo& 
   return options;
 }
 
-bool is_as_fixed(const CameraModel& model, const ConvertOptions& options) {
-  return within(model, options.ranges) && (!options.fixed.one_focal_length || parameter(model, kFx) == parameter(model, kFy));
-}
-
 DomainFit fit_fixed(const FitTask& task) {
   DomainFit free = fit_domain(task);
   if (!task.options.fixed.one_focal_length || !free.fitted.model) return free;

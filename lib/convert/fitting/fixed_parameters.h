@@ -15,9 +15,6 @@ namespace fca::internal {
 [[nodiscard]] std::optional<ConvertOptions> with_fixed(const Camera& source, const ModelInfo& target, ConvertOptions options,
                                                        Diagnostics& diagnostics);
 
-/// Is the camera as the options want it fixed? `options`: those of with_fixed().
-[[nodiscard]] bool is_as_fixed(const CameraModel& model, const ConvertOptions& options);
-
 /// fit_domain(), with options.fixed.one_focal_length too: the best of the fits with fx = fy = f, by a golden-section search
 /// for f.
 [[nodiscard]] DomainFit fit_fixed(const FitTask& task);

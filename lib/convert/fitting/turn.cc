@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "turn.h"
 
+#include "../../rig/eigen_rotation.h"
 #include "fit_limits.h"
+#include "pixel_jacobian.h"
 
 #include <fca/rig/rotation.h>
 
@@ -17,19 +19,6 @@ namespace {
 
 using Samples = std::vector<Correspondence>;
 
-Transform transform_of(const Eigen::Matrix3d& R) {
-  Transform T;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) T(row, column) = R(row, column);
-  }
-  return T;
-}
-
-Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector) {
-  const double angle = vector.norm();
-  return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
-}
-
 Samples turned(std::span<const Correspondence> samples, const Eigen::Matrix3d& R) {
   const Transform T = transform_of(R);
   Samples result(samples.begin(), samples.end());
@@ -43,60 +32,52 @@ struct Step {
   double rms_px = 0.0;
 };
 
-/// Derivatives of the pixels by the three angles, in rows like those of LinearisedColumns; false where a ray has no pixel.
-bool add_slopes_of_angles(const FitTarget& target, const double* p, const Samples& samples, const std::vector<double>& roots,
-                          Eigen::Ref<Eigen::MatrixXd> columns) {
+/// Puts into `columns` the derivatives of the pixels by the three angles, in rows like those of a PixelJacobian; false where a
+/// ray has no pixel.
+bool put_slopes_of_angles(const CameraModel& model, const Samples& samples, Eigen::Ref<Eigen::MatrixXd> columns) {
   constexpr double kStep = 1e-6;  // rad
-  const auto count = static_cast<Eigen::Index>(samples.size());
-  std::vector<std::array<double, 2>> before(samples.size());
-  std::vector<std::array<double, 2>> after(samples.size());
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d along = kStep * Eigen::Vector3d::Unit(axis);
-    if (!target.pixels(p, turned(samples, rotation_by(-along)), before.data())) return false;
-    if (!target.pixels(p, turned(samples, rotation_by(along)), after.data())) return false;
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      const auto row = static_cast<Eigen::Index>(k);
-      columns(row, axis) = roots[k] * (after[k][0] - before[k][0]) / (2.0 * kStep);
-      columns(row + count, axis) = roots[k] * (after[k][1] - before[k][1]) / (2.0 * kStep);
-    }
+    const std::optional<Eigen::VectorXd> before = residuals_of(model, turned(samples, rotation_by(-along)));
+    const std::optional<Eigen::VectorXd> after = residuals_of(model, turned(samples, rotation_by(along)));
+    if (!before || !after) return false;
+    columns.col(axis) = (*after - *before) / (2.0 * kStep);
   }
   return true;
 }
 
-std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples, std::span<const ParameterRange> ranges) {
+/// Those that a fit may still move.
+std::vector<Eigen::Index> free_columns(const FittedModel& fitted, std::span<const ParameterRange> ranges) {
   const std::unique_ptr<FitTarget> target = fit_target_of(fitted.model);
   const FitLimits limits(*target, ranges);
-  const std::span<const double> values = parameter_values(fitted.model);
-  std::vector<double> roots;
-  for (const Correspondence& sample : samples) roots.push_back(std::sqrt(sample.weight));
-  const auto rows = static_cast<Eigen::Index>(2 * samples.size());
-  const auto all = static_cast<Eigen::Index>(values.size());
-  Eigen::MatrixXd numbers(rows, all + 1);
-  if (!target->linearise(values.data(), samples, {roots, numbers.data()})) return std::nullopt;
-
   std::vector<Eigen::Index> free;
-  for (Eigen::Index i = 0; i < all; ++i) {
-    const std::string_view name = target->parameters()[static_cast<std::size_t>(i)].name;
-    const bool is_at_bound = std::ranges::find(fitted.at_bound, name) != fitted.at_bound.end();
-    if (!limits.fixed(static_cast<std::size_t>(i)) && !is_at_bound) free.push_back(i);
+  for (std::size_t i = 0; i < target->parameters().size(); ++i) {
+    const bool is_at_bound = std::ranges::find(fitted.at_bound, target->parameters()[i].name) != fitted.at_bound.end();
+    if (!limits.fixed(i) && !is_at_bound) free.push_back(static_cast<Eigen::Index>(i));
   }
+  return free;
+}
+
+std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples, std::span<const ParameterRange> ranges) {
+  const std::optional<PixelJacobian> jacobian = jacobian_of(fitted.model, samples);
+  if (!jacobian) return std::nullopt;
+  const std::vector<Eigen::Index> free = free_columns(fitted, ranges);
   const auto parameters = static_cast<Eigen::Index>(free.size());
-  Eigen::MatrixXd slopes(rows, parameters + 3);
-  for (Eigen::Index i = 0; i < parameters; ++i) slopes.col(i) = numbers.col(free[static_cast<std::size_t>(i)]);
-  if (!add_slopes_of_angles(*target, values.data(), samples, roots, slopes.rightCols(3))) return std::nullopt;
+  Eigen::MatrixXd slopes(jacobian->columns.rows(), parameters + 3);
+  slopes.leftCols(parameters) = jacobian->columns(Eigen::all, free);
+  if (!put_slopes_of_angles(fitted.model, samples, slopes.rightCols(3))) return std::nullopt;
   // Coefficients of high powers have columns of other lengths than focal lengths.
   const Eigen::VectorXd lengths = slopes.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
   slopes = slopes * lengths.cwiseInverse().asDiagonal();
-  const Eigen::VectorXd residuals = numbers.col(all);
   // The axis hardly tells a turn about itself from nothing, and a shift of a narrow lens from a turn.
   constexpr double kHardlyApart = 1e-7;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(rows, parameters + 3);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(slopes.rows(), slopes.cols());
   solver.setThreshold(kHardlyApart);
   solver.compute(slopes);
-  const Eigen::VectorXd solution = solver.solve(-residuals);
+  const Eigen::VectorXd solution = solver.solve(-jacobian->residuals);
   if (!solution.allFinite()) return std::nullopt;
   const Eigen::Vector3d angles = solution.tail<3>().cwiseQuotient(lengths.tail<3>());
-  return Step{angles, (residuals + slopes * solution).norm()};
+  return Step{angles, (jacobian->residuals + slopes * solution).norm()};
 }
 
 Samples of_some_weight(std::span<const Correspondence> samples) {

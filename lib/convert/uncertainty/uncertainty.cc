@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/convert/uncertainty.h>
 
-#include "jacobian.h"
+#include "../fitting/pixel_jacobian.h"
 #include "sigma.h"
 
 #include "../evaluation/lattice.h"

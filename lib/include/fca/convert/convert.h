@@ -53,4 +53,8 @@ struct Conversion {
 /// Whether the model's parameters lie within the ranges.
 [[nodiscard]] bool within(const CameraModel& model, std::span<const ParameterRange> ranges);
 
+/// Has the model what is to be fixed at a number, and one focal length if that is asked for? What is to be kept as the source
+/// has it is not looked at.
+[[nodiscard]] bool is_as_fixed(const CameraModel& model, const FixedParameters& fixed);
+
 }  // namespace fca

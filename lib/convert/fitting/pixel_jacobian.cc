@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "jacobian.h"
+#include "pixel_jacobian.h"
 
-#include "../fitting/fit_model.h"
+#include "fit_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +19,20 @@ std::optional<PixelJacobian> jacobian_of(const CameraModel& model, std::span<con
   Eigen::MatrixXd numbers(static_cast<Eigen::Index>(2 * samples.size()), static_cast<Eigen::Index>(count + 1));
   if (!target->linearise(values.data(), samples, {roots, numbers.data()}) || !numbers.allFinite()) return std::nullopt;
   return PixelJacobian{numbers.leftCols(static_cast<Eigen::Index>(count)), numbers.rightCols<1>()};
+}
+
+std::optional<Eigen::VectorXd> residuals_of(const CameraModel& model, std::span<const Correspondence> samples) {
+  std::vector<std::array<double, 2>> pixels(samples.size());
+  if (!fit_target_of(model)->pixels(parameter_values(model).data(), samples, pixels.data())) return std::nullopt;
+  const auto count = static_cast<Eigen::Index>(samples.size());
+  Eigen::VectorXd residuals(2 * count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Correspondence& sample = samples[static_cast<std::size_t>(k)];
+    const std::array<double, 2>& pixel = pixels[static_cast<std::size_t>(k)];
+    residuals[k] = std::sqrt(sample.weight) * (pixel[0] - sample.pixel[0]);
+    residuals[count + k] = std::sqrt(sample.weight) * (pixel[1] - sample.pixel[1]);
+  }
+  return residuals;
 }
 
 std::vector<std::size_t> free_parameters(const CameraModel& model, std::span<const std::string> held) {

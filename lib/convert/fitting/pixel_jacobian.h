@@ -29,6 +29,9 @@ struct PixelJacobian {
 /// Nothing where a sample's ray has no pixel.
 [[nodiscard]] std::optional<PixelJacobian> jacobian_of(const CameraModel& model, std::span<const Correspondence> samples);
 
+/// Its residuals alone.
+[[nodiscard]] std::optional<Eigen::VectorXd> residuals_of(const CameraModel& model, std::span<const Correspondence> samples);
+
 /// Indices of the parameters that a fit moved: not those of `held`, nor what is 0 or what fits of that model never move.
 [[nodiscard]] std::vector<std::size_t> free_parameters(const CameraModel& model, std::span<const std::string> held);
 

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "absorbed_turn.h"
+
+#include "evaluation/stages.h"
+#include "fitting/turn.h"
+
+#include <fca/code.h>
+#include <fca/convert/judge.h>
+#include <fca/convert/sample.h>
+#include <fca/rig/rotation.h>
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace fca::internal {
+
+namespace {
+
+/// What a turn is fitted to: the rays inside the angle up to which the fit counts.
+std::vector<Correspondence> samples_for_turn(const FitTask& task, double reach_rad, int count) {
+  Domain domain = task.domain;
+  domain.max_angle_rad = std::min(domain.max_angle_rad, reach_rad);
+  return sample(task.camera.model, domain, count);
+}
+
+}  // namespace
+
+void absorb_turn(const FitTask& task, const DegreeFit& fit, Conversion& conversion, Diagnostics& diagnostics) {
+  constexpr int kSamples = 800;
+  const SampledFit& straight = fit.fit.fitted;
+  const std::optional<TurnedFit> turned =
+      fit_with_turn(*straight.model, samples_for_turn(task, straight.reach_rad, kSamples), fit.ranges);
+  ConversionReport& report = conversion.report;
+  if (turned && validate(turned->fitted.model).empty()) {
+    const Projection image_of = [&turned](const Ray& ray) {
+      return project(turned->fitted.model, rotated(turned->T_target_source, ray));
+    };
+    const Scorer scorer{task.camera.model, nullptr, &image_of, task.domain, straight.reach_rad};
+    Judgement judgement = judge_all(scorer, score_on_lattice(scorer), {task.options.every_pixel, false});
+    const ErrorSummary& before = report.judgement.error;
+    constexpr double kSameShare = 1e-3;
+    if (judgement.error.rms < before.rms && judgement.coverage.scored >= report.judgement.coverage.scored - kSameShare) {
+      report.turn = AbsorbedTurn{turned->T_target_source, before.rms, before.max};
+      report.judgement = std::move(judgement);
+      report.at_bound = turned->fitted.at_bound;
+      conversion.camera.model = turned->fitted.model;
+      return;
+    }
+  }
+  diagnostics.add(Code::kTurnDoesNotHelp, {task.camera.name});
+}
+
+std::optional<TurnOffer> offered_turn(const FitTask& task, const DegreeFit& fit, double rms_px) {
+  constexpr double kVisible = 0.02;  // px
+  constexpr double kWorthIt = 0.8;
+  constexpr int kSamples = 200;
+  if (rms_px < kVisible) return std::nullopt;
+  const SampledFit& fitted = fit.fit.fitted;
+  const std::optional<TurnEstimate> turned =
+      estimate_turn(*fitted.model, samples_for_turn(task, fitted.reach_rad, kSamples), fit.ranges);
+  if (!turned || turned->rms_px >= kWorthIt * rms_px) return std::nullopt;
+  return TurnOffer{turned->angle_rad * 180.0 / std::numbers::pi, turned->rms_px};
+}
+
+}  // namespace fca::internal
