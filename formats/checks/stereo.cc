@@ -79,7 +79,7 @@ void check_stereo_pair(const Subject& subject, const FindPlace& where, Findings&
   check_turn(*pair, where, findings);
   check_rectification(subject, *pair, where, findings);
   constexpr double kFarApart = 2.0;  // m
-  constexpr double kNoRig = 10.0;    // m; more is a unit that nobody states, which is told
+  constexpr double kNoRig = 10.0;    // m; more is a wrong unit, which has a finding of its own
   const double metres = distance_of(pair->T_second_first);
   if (metres > kFarApart && metres <= kNoRig && !findings.has(Code::kAnyTranslationInMm, where()))
     findings.add(Code::kPairFarApart, {pair->first, pair->second, metres}, where());

@@ -57,7 +57,7 @@ std::optional<std::string> take_index(std::string_view& rest) {
   return index;
 }
 
-/// Thrown once the error is told: the reader reads no further.
+/// Thrown after an error was added: the reader stops.
 struct Broken {};
 
 class ReportReader {
