@@ -11,6 +11,7 @@
 #include <fca/formats/text/prose.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <variant>
 
@@ -29,6 +30,16 @@ std::optional<std::string> take_view(RectifiedViewChoice view, RectifyRequest& r
   if (!std::holds_alternative<std::monostate>(request.view))
     return "--pinhole and --alpha each say how wide the rectified images are; give one of them";
   request.view = view;
+  return std::nullopt;
+}
+
+std::optional<std::string> take_map_format(const std::string& word, RectifyArguments& arguments) {
+  const std::map<std::string, MapFormat> known = {
+      {"npy", MapFormat::kNpy}, {"float", MapFormat::kFloat}, {"fixed", MapFormat::kFixedPoint}};
+  const auto found = known.find(word);
+  if (found == known.end()) return "--map-format is npy, float or fixed, not '" + word + "'";
+  arguments.maps = true;
+  arguments.map_format = found->second;
   return std::nullopt;
 }
 
@@ -58,6 +69,11 @@ void add_view_options(Options& options, RectifyArguments& arguments) {
                "Also write left_map.npy and right_map.npy: float32 of shape (height, width, 2), u and v in the camera's image, "
                "nan where it has none; for numpy.load and cv2.remap",
                arguments.maps);
+  options.value("--map-format", "npy|float|fixed",
+                "Write maps, as npy (the default); or as map1 and map2 for cv::FileStorage and cv::remap, as float (CV_32FC1) "
+                "or fixed (CV_16SC2 "
+                "and CV_16UC1), in left_map.yml, above a million pixels left_map.yml.gz",
+                [&arguments](const std::string& word) { return take_map_format(word, arguments); });
   add_interpolation_option(options, arguments.interpolation);
 }
 

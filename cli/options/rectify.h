@@ -7,10 +7,14 @@
 #include <fca/toolkit/image.h>
 #include <fca/toolkit/rectify.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace fca::cli {
+
+/// The files of maps: NumPy's, or cv::FileStorage's with the numbers that cv::remap takes (pictures.h).
+enum class MapFormat : std::uint8_t { kNpy, kFloat, kFixedPoint };
 
 /// What `rectify` was asked for.
 struct RectifyArguments {
@@ -18,6 +22,7 @@ struct RectifyArguments {
   std::vector<std::string> left;  ///< Images: a file, a folder or a pattern; empty: none.
   std::vector<std::string> right;
   bool maps = false;  ///< Written, too.
+  MapFormat map_format = MapFormat::kNpy;
   bool like_opencv = false;
   Interpolation interpolation = Interpolation::kBilinear;
   OutputPlace output;

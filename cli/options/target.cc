@@ -162,6 +162,11 @@ void add_target_options(Options& options, ConvertRequest& request) {
                "Fit a turn of each camera with its model and write it into its poses: what a model without tangential terms "
                "cannot hold is mostly a tilt",
                request.absorb_turn);
+  options.flag(
+      "--pair",
+      "Fit both cameras of a stereo pair together, so that the images of a point lie in one row after rectification; a "
+      "small turn may go into the poses",
+      request.fit_pair);
   add_every_pixel_option(options, request.every_pixel);
   options.group(OptionGroup::kTarget);
   options.flag("--rewrite", "Write a fresh file even where the input's own text could be edited; comments go", request.rewrite);
@@ -196,6 +201,8 @@ std::optional<std::string> problem_with(const ConvertRequest& request) {
            "both";
   if (request.absorb_turn && request.objective != Objective::kRms)
     return "--absorb-rotation is fitted for the rms only; leave out --objective max";
+  if (request.fit_pair && !request.into.empty())
+    return "--pair may turn the cameras, and the poses of BASE would be those of the old ones: leave out one of both";
   const Message problem = request.to != nullptr ? without_use(request, *request.to) : Message{};
   return problem.is_said() ? std::optional(text::text_of(problem, with_options)) : std::nullopt;
 }

@@ -36,6 +36,10 @@ std::optional<Image> remapped(const Image& image, const ImageMap& map, Interpola
   return functions().remapped(image, map, interpolation);
 }
 
+std::optional<std::string> map_file(const ImageMap& map, MapNumbers numbers, bool compressed) {
+  return functions().map_file(map, numbers, compressed);
+}
+
 std::optional<OpenCvRectification> stereo_rectified(const OpenCvPair& pair) { return functions().stereo_rectify(pair); }
 
 }  // namespace fca::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "module.h"
 #include "images.h"
+#include "opencv_maps.h"
 
 #include <module_build.h>
 
@@ -51,6 +52,7 @@ extern "C" __attribute__((visibility("default"))) const void* fca_picture_functi
                                                             .decoded = &module::decoded_image,
                                                             .encoded = &module::encoded_image,
                                                             .remapped = &fca::remapped,
+                                                            .map_file = &module::map_file,
                                                             .stereo_rectify = &fca::stereo_rectify};
   return &kFunctions;
 }

@@ -11,6 +11,7 @@ struct PictureFunctions {
   std::optional<Image> (*decoded)(const std::string& bytes);
   std::optional<std::string> (*encoded)(const Image& image, const std::string& extension);
   std::optional<Image> (*remapped)(const Image& image, const ImageMap& map, Interpolation interpolation);
+  std::optional<std::string> (*map_file)(const ImageMap& map, MapNumbers numbers, bool compressed);
   std::optional<OpenCvRectification> (*stereo_rectify)(const OpenCvPair& pair);
 };
 

@@ -37,6 +37,11 @@ struct Picture {
 /// cv::remap: the image through a map, 0 where the map lies outside of it. Sides are to be shorter than 32,767.
 [[nodiscard]] std::optional<Image> remapped(const Image& image, const ImageMap& map, Interpolation interpolation);
 
+/// How cv::remap takes a map: CV_32FC1, u and v; or CV_16SC2 with CV_16UC1, which is faster and rounds to 1/32 px.
+enum class MapNumbers : std::uint8_t { kFloat, kFixedPoint };
+/// A file of cv::FileStorage with the matrices map1 and map2; `compressed`: as a .yml.gz. Nothing where that cannot be made.
+[[nodiscard]] std::optional<std::string> map_file(const ImageMap& map, MapNumbers numbers, bool compressed);
+
 /// cv::stereoRectify, or cv::fisheye's.
 [[nodiscard]] std::optional<OpenCvRectification> stereo_rectified(const OpenCvPair& pair);
 

@@ -14,6 +14,7 @@
 #include <fca/formats/text/message.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 
 namespace fca::cli {
@@ -36,6 +37,20 @@ RemapArguments side_of(const RectifyArguments& arguments, std::size_t side) {
   return result;
 }
 
+/// Text is compressed where it would take tens of megabytes.
+std::string map_extension(MapFormat format, const ImageMap& map) {
+  if (format == MapFormat::kNpy) return ".npy";
+  constexpr std::int64_t kManyPixels = 1'000'000;
+  return std::int64_t{map.size.width} * map.size.height > kManyPixels ? ".yml.gz" : ".yml";
+}
+
+/// Nothing where OpenCV cannot make it.
+std::string bytes_of(const ImageMap& map, MapFormat format) {
+  if (format == MapFormat::kNpy) return npy(map);
+  const MapNumbers numbers = format == MapFormat::kFloat ? MapNumbers::kFloat : MapNumbers::kFixedPoint;
+  return map_file(map, numbers, map_extension(format, map).ends_with(".gz")).value_or("");
+}
+
 /// Settings and maps, by their paths.
 std::vector<OutputFile> files_of(const RectifyArguments& arguments, Rectifying& done) {
   std::vector<OutputFile> files;
@@ -50,8 +65,9 @@ std::vector<OutputFile> files_of(const RectifyArguments& arguments, Rectifying& 
   }
   const bool writes_maps = arguments.maps && done.result.maps.size() == 2;
   for (std::size_t i = 0; i < 2 && writes_maps; ++i) {
-    done.maps.push_back((path / (std::string(kSides.at(i)) + "_map.npy")).string());
-    files.push_back({done.maps.back(), npy(done.result.maps[i])});
+    const ImageMap& map = done.result.maps[i];
+    done.maps.push_back((path / (std::string(kSides.at(i)) + "_map" + map_extension(arguments.map_format, map))).string());
+    files.push_back({done.maps.back(), bytes_of(map, arguments.map_format)});
   }
   return files;
 }
@@ -107,6 +123,8 @@ ExitCode run_rectify(const RectifyArguments& given, const TypedOptions& typed, C
   done.result = rectify(request, console.files());
   if (done.result.status > Status::kRejected) return console.refuse(exit_code(done.result.status), done.result.diagnostics);
   const std::vector<OutputFile> files = files_of(arguments, done);
+  if (std::ranges::any_of(files, [](const OutputFile& file) { return file.bytes.empty(); }))
+    return console.refuse(ExitCode::kIo, "OpenCV cannot write these maps");
   if (const std::optional<std::string> problem = problem_with_files(arguments, files, console))
     return console.refuse(ExitCode::kUsage, *problem);
   if (!done.result.files.empty() && done.settings.empty() && done.result.files.size() > 1 && !arguments.json)

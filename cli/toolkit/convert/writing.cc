@@ -6,6 +6,7 @@
 #include "choose_model.h"
 #include "common_lens.h"
 #include "into.h"
+#include "pair_fit.h"
 #include "parallel_for.h"
 #include "placing.h"
 #include "provenance.h"
@@ -170,6 +171,7 @@ bool Writing::fit() {
   if (!cameras) return false;
   result_.cameras = *std::move(cameras);
   if (!share_lens(request_, *result_.to, choice_.most_cameras, result_.cameras, result_.diagnostics)) return false;
+  if (!fit_as_pair(input_.rig, *result_.to, choice_, result_.cameras, result_.diagnostics)) return false;
   tell_of_turns(input_.rig, result_.cameras, result_.diagnostics);
   if (request_.in_detail) add_reach(*result_.to, choice_, result_.cameras);
   add_uncertainties(input_.rig, request_, result_.cameras);

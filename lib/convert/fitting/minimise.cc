@@ -4,7 +4,6 @@
 #include <fca/convert/fit_target.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -18,31 +17,37 @@ namespace {
 /// The cost as Ceres' TinySolver wants it, compressed: with J'J = L L', the P + 1 residuals [w; sqrt(r'r - w'w)], L w = J'r,
 /// and their Jacobian [L'; 0] have the same cost, gradient and normal equations as the hundreds of rows they stand for.
 /// (LIMITS.md: a fifth of the time of a Ceres problem with a block per point.) Parameters beyond those asked for are there to
-/// round the size up; nothing depends on them.
+/// round the size up; nothing depends on them. Eigen::Dynamic: any size.
 template <int kSize>
 class CompressedCost {
  public:
   using Scalar = double;
   // The names that ceres::TinySolver asks for.
-  enum { NUM_RESIDUALS = kSize + 1, NUM_PARAMETERS = kSize };  // NOLINT(readability-identifier-naming)
+  enum {
+    NUM_RESIDUALS = kSize == Eigen::Dynamic ? Eigen::Dynamic : kSize + 1,  // NOLINT(readability-identifier-naming)
+    NUM_PARAMETERS = kSize                                                 // NOLINT(readability-identifier-naming)
+  };
+  [[nodiscard]] int NumParameters() const { return size_; }     // NOLINT(readability-identifier-naming)
+  [[nodiscard]] int NumResiduals() const { return size_ + 1; }  // NOLINT(readability-identifier-naming)
 
-  CompressedCost(const Evaluate& evaluate, std::size_t count) : evaluate_(evaluate), count_(count) {}
+  CompressedCost(const Evaluate& evaluate, std::size_t count)
+      : evaluate_(evaluate), count_(count), size_(kSize == Eigen::Dynamic ? static_cast<int>(count) : kSize) {}
 
   /// TinySolver does not look at the result of a trial step: one that cannot be evaluated must cost more than any other.
   bool operator()(const double* parameters, double* residuals, double* jacobian) const {
-    std::fill_n(residuals, kSize + 1, 0.0);
+    std::fill_n(residuals, size_ + 1, 0.0);
     NormalEquations sums;
     if (jacobian == nullptr) {
       constexpr double kWorst = 1e100;
       const bool valid = evaluate_(parameters, sums) && std::isfinite(sums.cost);
-      residuals[kSize] = valid ? std::sqrt(sums.cost) : kWorst;
+      residuals[size_] = valid ? std::sqrt(sums.cost) : kWorst;
       return valid;
     }
-    std::array<double, kSize * kSize> hessian{};
-    std::array<double, kSize> gradient{};
-    sums.gradient = std::span(gradient).first(count_);
-    sums.hessian = std::span(hessian).first(count_ * count_);
-    std::fill_n(jacobian, (kSize + 1) * kSize, 0.0);
+    Eigen::Matrix<double, kSize, kSize> hessian = Eigen::Matrix<double, kSize, kSize>::Zero(size_, size_);
+    Eigen::Matrix<double, kSize, 1> gradient = Eigen::Matrix<double, kSize, 1>::Zero(size_);
+    sums.gradient = std::span(gradient.data(), count_);
+    sums.hessian = std::span(hessian.data(), count_ * count_);
+    std::fill_n(jacobian, (size_ + 1) * size_, 0.0);
     if (!evaluate_(parameters, sums) || !std::isfinite(sums.cost)) return false;
     compress(sums, residuals, jacobian);
     return true;
@@ -50,8 +55,9 @@ class CompressedCost {
 
  private:
   void compress(const NormalEquations& sums, double* residuals, double* jacobian) const {
-    // Column-major: element (row i of L', column j) = L_ji is jacobian[j * (kSize + 1) + i].
-    const auto lower = [jacobian](std::size_t j, std::size_t i) -> double& { return jacobian[j * (kSize + 1) + i]; };
+    // Column-major: element (row i of L', column j) = L_ji is jacobian[j * rows + i].
+    const std::size_t rows = kSize == Eigen::Dynamic ? count_ + 1 : kSize + 1;
+    const auto lower = [jacobian, rows](std::size_t j, std::size_t i) -> double& { return jacobian[j * rows + i]; };
     double rest = sums.cost;
     for (std::size_t i = 0; i < count_; ++i) {
       double pivot = sums.hessian[i * count_ + i];
@@ -71,19 +77,20 @@ class CompressedCost {
         lower(j, i) = sum / root;
       }
     }
-    residuals[kSize] = std::sqrt(std::max(0.0, rest));
+    residuals[size_] = std::sqrt(std::max(0.0, rest));
   }
 
   const Evaluate& evaluate_;
   std::size_t count_;
+  int size_;
 };
 
 template <int kSize>
 Minimum minimise_padded(const Evaluate& evaluate, const Effort& effort, double start_cost, std::span<double> parameters) {
   const CompressedCost<kSize> cost(evaluate, parameters.size());
   ceres::TinySolver<CompressedCost<kSize>> solver;
-  typename ceres::TinySolver<CompressedCost<kSize>>::Parameters x;
-  x.setZero();
+  using Parameters = typename ceres::TinySolver<CompressedCost<kSize>>::Parameters;
+  Parameters x = Parameters::Zero(cost.NumParameters());
   std::ranges::copy(parameters, x.data());
 
   solver.options.initial_trust_region_radius = 1e6;  // starts are good: begin close to Gauss-Newton
@@ -126,7 +133,8 @@ Minimum minimise(const Evaluate& evaluate, const Effort& effort, std::span<doubl
   if (parameters.size() <= kSmall) return minimise_padded<kSmall>(evaluate, effort, sums.cost, parameters);
   if (parameters.size() <= kMiddle) return minimise_padded<kMiddle>(evaluate, effort, sums.cost, parameters);
   if (parameters.size() <= kLarge) return minimise_padded<kLarge>(evaluate, effort, sums.cost, parameters);
-  return minimise_padded<kLargest>(evaluate, effort, sums.cost, parameters);
+  if (parameters.size() <= kLargest) return minimise_padded<kLargest>(evaluate, effort, sums.cost, parameters);
+  return minimise_padded<Eigen::Dynamic>(evaluate, effort, sums.cost, parameters);
 }
 
 }  // namespace fca::internal

@@ -32,7 +32,7 @@ struct Effort {
   double relative_gain = 1e-12;
 };
 
-/// Minimises the sum of squared residuals from `parameters` (at most 14), in place.
+/// Minimises the sum of squared residuals from `parameters`, in place.
 Minimum minimise(const Evaluate& evaluate, const Effort& effort, std::span<double> parameters);
 
 }  // namespace fca::internal

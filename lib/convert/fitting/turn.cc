@@ -2,10 +2,8 @@
 #include "turn.h"
 
 #include "../../rig/eigen_rotation.h"
-#include "fit_limits.h"
 #include "pixel_jacobian.h"
-
-#include <fca/rig/rotation.h>
+#include "turned_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,53 +17,20 @@ namespace {
 
 using Samples = std::vector<Correspondence>;
 
-Samples turned(std::span<const Correspondence> samples, const Eigen::Matrix3d& R) {
-  const Transform T = transform_of(R);
-  Samples result(samples.begin(), samples.end());
-  for (Correspondence& sample : result) sample.ray = rotated(T, sample.ray);
-  return result;
-}
-
 /// The first step of the angles, and the rms that is left after it if errors were linear.
 struct Step {
   Eigen::Vector3d angles;
   double rms_px = 0.0;
 };
 
-/// Puts into `columns` the derivatives of the pixels by the three angles, in rows like those of a PixelJacobian; false where a
-/// ray has no pixel.
-bool put_slopes_of_angles(const CameraModel& model, const Samples& samples, Eigen::Ref<Eigen::MatrixXd> columns) {
-  constexpr double kStep = 1e-6;  // rad
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::Vector3d along = kStep * Eigen::Vector3d::Unit(axis);
-    const std::optional<Eigen::VectorXd> before = residuals_of(model, turned(samples, rotation_by(-along)));
-    const std::optional<Eigen::VectorXd> after = residuals_of(model, turned(samples, rotation_by(along)));
-    if (!before || !after) return false;
-    columns.col(axis) = (*after - *before) / (2.0 * kStep);
-  }
-  return true;
-}
-
-/// Those that a fit may still move.
-std::vector<Eigen::Index> free_columns(const FittedModel& fitted, std::span<const ParameterRange> ranges) {
-  const std::unique_ptr<FitTarget> target = fit_target_of(fitted.model);
-  const FitLimits limits(*target, ranges);
-  std::vector<Eigen::Index> free;
-  for (std::size_t i = 0; i < target->parameters().size(); ++i) {
-    const bool is_at_bound = std::ranges::find(fitted.at_bound, target->parameters()[i].name) != fitted.at_bound.end();
-    if (!limits.fixed(i) && !is_at_bound) free.push_back(static_cast<Eigen::Index>(i));
-  }
-  return free;
-}
-
 std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples, std::span<const ParameterRange> ranges) {
   const std::optional<PixelJacobian> jacobian = jacobian_of(fitted.model, samples);
   if (!jacobian) return std::nullopt;
-  const std::vector<Eigen::Index> free = free_columns(fitted, ranges);
+  const std::vector<Eigen::Index> free = free_columns(fitted.model, fitted.at_bound, ranges);
   const auto parameters = static_cast<Eigen::Index>(free.size());
   Eigen::MatrixXd slopes(jacobian->columns.rows(), parameters + 3);
   slopes.leftCols(parameters) = jacobian->columns(Eigen::all, free);
-  if (!put_slopes_of_angles(fitted.model, samples, slopes.rightCols(3))) return std::nullopt;
+  if (!put_slopes_of_angles(fitted.model, samples, Eigen::Vector3d::Zero(), slopes.rightCols(3))) return std::nullopt;
   // Coefficients of high powers have columns of other lengths than focal lengths.
   const Eigen::VectorXd lengths = slopes.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
   slopes = slopes * lengths.cwiseInverse().asDiagonal();

@@ -88,7 +88,8 @@ struct ConvertRequest {
   std::optional<int> degree;  ///< Of a fitted polynomial (ocamcalib); nothing: the lowest that is nearly as good as any.
   FixedParameters fixed;      ///< Of the fitted models.
   bool absorb_turn = false;   ///< A turn of each camera is fitted, too, and written into its poses; for Objective::kRms.
-  bool every_pixel = false;   ///< Errors are those of every pixel, not of a lattice of about 5,000 points.
+  bool fit_pair = false;  ///< A stereo pair is fitted together (fca/convert/pair_fit.h), turns included; for Objective::kRms.
+  bool every_pixel = false;  ///< Errors are those of every pixel, not of a lattice of about 5,000 points.
   /// Also what no verdict depends on: errors if the lens ended earlier (ConversionReport::reach), and whether the input's own
   /// program would refuse the input.
   bool in_detail = false;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair_fit.h"
+
+#include "stereo_cameras.h"
+
+#include <fca/code.h>
+#include <fca/convert/pair_fit.h>
+
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace fca {
+
+namespace {
+
+bool has_other_wishes(const ConvertRequest& request, const Format& to) {
+  const bool shares_lens = request.layout && request.layout->name() == to.common_lens_layout;
+  return request.objective != Objective::kRms || request.absorb_turn || request.fixed.any() || shares_lens;
+}
+
+/// Nothing where the camera keeps its model.
+std::optional<SeparateFit> separate_fit(const ConvertedCamera& camera, const Format& to, const ModelChoice& choice) {
+  const StoredModel* stored = find_stored_model(to, model_info(camera.target.model).id, false);
+  if (!camera.report || stored == nullptr) return std::nullopt;
+  return SeparateFit{camera.source, {camera.target, *camera.report}, options_for(*stored, choice)};
+}
+
+}  // namespace
+
+bool fit_as_pair(const Rig& input, const Format& to, const ModelChoice& choice, std::vector<ConvertedCamera>& cameras,
+                 Diagnostics& diagnostics) {
+  if (!choice.request.fit_pair) return true;
+  if (has_other_wishes(choice.request, to)) {
+    diagnostics.add(Code::kPairFitWithOthers);
+    return false;
+  }
+  const std::optional<StereoCameras> pair = stereo_cameras(input, cameras);
+  if (!pair) {
+    diagnostics.add(Code::kPairFitNeedsPair);
+    return false;
+  }
+  const std::array<ConvertedCamera*, 2> both = {&cameras[pair->first], &cameras[pair->second]};
+  const std::optional<SeparateFit> first = separate_fit(*both[0], to, choice);
+  const std::optional<SeparateFit> second = separate_fit(*both[1], to, choice);
+  std::optional<PairFit> fit = first && second ? fit_pair({*first, *second}, pair->T_second_first) : std::nullopt;
+  if (!fit) {
+    diagnostics.add(Code::kPairFitDoesNotHelp, {both[0]->source.name, both[1]->source.name});
+    return true;
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    both.at(i)->target = std::move(fit->conversions.at(i).camera);
+    both.at(i)->report = std::move(fit->conversions.at(i).report);
+  }
+  diagnostics.add(Code::kPairFitted, {both[0]->source.name, both[1]->source.name, fit->after.rms_px(), fit->after.max_px(),
+                                      fit->before.rms_px(), fit->before.max_px()});
+  return true;
+}
+
+}  // namespace fca

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/convert/pair_fit.h>
+
+#include "../../rig/eigen_rotation.h"
+#include "../evaluation/stages.h"
+#include "../fitting/minimise.h"
+#include "../fitting/pixel_jacobian.h"
+#include "../fitting/turned_samples.h"
+#include "matches.h"
+
+#include <fca/convert/domain.h>
+#include <fca/convert/judge.h>
+#include <fca/convert/sample.h>
+#include <fca/rig/rotation.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace fca {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using internal::CameraOfPair;
+using internal::Matches;
+using internal::PixelJacobian;
+
+constexpr Index kAngles = 3;
+/// A row by which matches differ counts as so many pixels of a camera.
+constexpr double kWeightOfRows = 3.0;
+
+/// One camera's part of the unknowns: the parameters that a fit may move, then the angles by which it is turned.
+struct Unknowns {
+  std::vector<Index> parameters;
+  bool turns = false;
+  Index first = 0;
+
+  [[nodiscard]] Index count() const { return static_cast<Index>(parameters.size()) + (turns ? kAngles : 0); }
+};
+
+/// A camera as it is being fitted.
+struct State {
+  CameraModel model;
+  Eigen::Vector3d angles = Eigen::Vector3d::Zero();
+
+  [[nodiscard]] Transform T_target_source() const { return internal::transform_of(internal::rotation_by(angles)); }
+};
+
+class Problem {
+ public:
+  Problem(const std::array<SeparateFit, 2>& fits, const std::array<CameraOfPair, 2>& cameras, const Matches& matches,
+          bool turns)
+      : fits_(fits), cameras_(cameras), matches_(matches) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Conversion& conversion = fits.at(i).conversion;
+      Unknowns& unknowns = unknowns_.at(i);
+      unknowns = {internal::free_columns(conversion.camera.model, conversion.report.at_bound, fits.at(i).options.ranges), turns,
+                  i == 0 ? 0 : unknowns_[0].count()};
+    }
+  }
+
+  /// Both cameras from there to the least sum; nothing where a sample has no pixel at the start.
+  [[nodiscard]] std::optional<std::array<State, 2>> solve(const std::array<State, 2>& start) const {
+    std::vector<double> unknowns = unknowns_of(start);
+    const internal::Minimum minimum = internal::minimise(
+        [&](const double* at, internal::NormalEquations& sums) { return sum_up(states_of(start, at), sums); },
+        internal::Effort(), unknowns);
+    if (!minimum.usable) return std::nullopt;
+    return states_of(start, unknowns.data());
+  }
+
+ private:
+  [[nodiscard]] Index count() const { return unknowns_[0].count() + unknowns_[1].count(); }
+
+  [[nodiscard]] std::vector<double> unknowns_of(const std::array<State, 2>& states) const {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::span<const double> parameters = parameter_values(states.at(i).model);
+      for (const Index each : unknowns_.at(i).parameters) values.push_back(parameters[static_cast<std::size_t>(each)]);
+      if (unknowns_.at(i).turns) values.insert(values.end(), states.at(i).angles.begin(), states.at(i).angles.end());
+    }
+    return values;
+  }
+
+  [[nodiscard]] std::array<State, 2> states_of(const std::array<State, 2>& like, const double* at) const {
+    std::array<State, 2> states = like;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::span<double> parameters = parameter_values(states.at(i).model);
+      for (const Index each : unknowns_.at(i).parameters) parameters[static_cast<std::size_t>(each)] = *at++;
+      if (!unknowns_.at(i).turns) continue;
+      states.at(i).angles = Eigen::Vector3d(at[0], at[1], at[2]);
+      at += kAngles;
+    }
+    return states;
+  }
+
+  /// The residuals of rays that one camera sees, and their derivatives by its own unknowns.
+  [[nodiscard]] std::optional<PixelJacobian> slopes(std::size_t i, const State& state,
+                                                    std::span<const Correspondence> samples) const {
+    const Unknowns& unknowns = unknowns_.at(i);
+    std::optional<PixelJacobian> all =
+        internal::jacobian_of(state.model, internal::turned(samples, internal::rotation_by(state.angles)));
+    if (!all) return std::nullopt;
+    PixelJacobian own{MatrixXd(all->columns.rows(), unknowns.count()), std::move(all->residuals)};
+    own.columns.leftCols(static_cast<Index>(unknowns.parameters.size())) = all->columns(Eigen::all, unknowns.parameters);
+    if (unknowns.turns && !internal::put_slopes_of_angles(state.model, samples, state.angles, own.columns.rightCols(kAngles)))
+      return std::nullopt;
+    return own;
+  }
+
+  /// The rows by which matches are off in one rectified image; `numbers`: columns or residuals of the camera's pixels.
+  [[nodiscard]] MatrixXd rows_of(std::size_t i, const Eigen::Ref<const MatrixXd>& numbers) const {
+    const auto count = static_cast<Index>(matches_.row_slopes.at(i).size());
+    MatrixXd rows(count, numbers.cols());
+    for (Index k = 0; k < count; ++k) {
+      const Eigen::RowVector2d& slope = matches_.row_slopes.at(i)[static_cast<std::size_t>(k)];
+      rows.row(k) = slope[0] * numbers.row(k) + slope[1] * numbers.row(count + k);
+    }
+    return rows;
+  }
+
+  /// False where a state is no camera within its ranges or a ray has no pixel.
+  [[nodiscard]] bool sum_up(const std::array<State, 2>& states, internal::NormalEquations& sums) const {
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!validate(states.at(i).model).empty() || !within(states.at(i).model, fits_.at(i).options.ranges)) return false;
+    }
+    MatrixXd matrix = MatrixXd::Zero(count(), count());
+    VectorXd gradient = VectorXd::Zero(count());
+    sums.cost = 0.0;
+    const auto add = [&](const MatrixXd& columns, const VectorXd& residuals, Index first) {
+      matrix.block(first, first, columns.cols(), columns.cols()) += columns.transpose() * columns;
+      gradient.segment(first, columns.cols()) += columns.transpose() * residuals;
+      sums.cost += residuals.squaredNorm();
+    };
+    MatrixXd rows(static_cast<Index>(matches_.seen[0].size()), count());
+    VectorXd differences = VectorXd::Zero(rows.rows());
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::optional<PixelJacobian> own = slopes(i, states.at(i), cameras_.at(i).samples);
+      const std::optional<PixelJacobian> matched = slopes(i, states.at(i), matches_.seen.at(i));
+      if (!own || !matched) return false;
+      add(own->columns, own->residuals, unknowns_.at(i).first);
+      const double sign = i == 0 ? -kWeightOfRows : kWeightOfRows;
+      rows.middleCols(unknowns_.at(i).first, unknowns_.at(i).count()) = sign * rows_of(i, matched->columns);
+      differences += sign * rows_of(i, matched->residuals);
+    }
+    add(rows, differences, 0);
+    if (sums.gradient.empty()) return true;
+    std::ranges::copy(gradient, sums.gradient.begin());
+    std::ranges::copy(matrix.reshaped(), sums.hessian.begin());  // symmetric
+    return true;
+  }
+
+  const std::array<SeparateFit, 2>& fits_;
+  const std::array<CameraOfPair, 2>& cameras_;
+  const Matches& matches_;
+  std::array<Unknowns, 2> unknowns_;
+};
+
+/// The domain up to where the camera's own fit counts.
+std::optional<CameraOfPair> of_pair(const SeparateFit& fit) {
+  constexpr int kSamples = 400;
+  Diagnostics told_already;
+  std::optional<Domain> domain = domain_of(fit.source, fit.options.max_angle_rad, told_already);
+  if (!domain) return std::nullopt;
+  const double reach_rad = fit.conversion.report.scored_to_deg * std::numbers::pi / 180.0;
+  domain->max_angle_rad = std::min(domain->max_angle_rad, reach_rad);
+  CameraOfPair camera{&fit.source, &fit.conversion.camera.model, *domain, sample(fit.source.model, *domain, kSamples)};
+  std::erase_if(camera.samples,
+                [&camera](const Correspondence& each) { return !(each.weight > 0.0) || !project(*camera.start, each.ray); });
+  return camera;
+}
+
+std::optional<PairError> error_of(const std::array<SeparateFit, 2>& fits, const std::array<State, 2>& states,
+                                  const Transform& T_second_first) {
+  const std::optional<Transform> T_source_target = inverse(states[0].T_target_source());
+  if (!T_source_target) return std::nullopt;
+  const Transform T_meant = states[1].T_target_source() * T_second_first * *T_source_target;
+  return pair_error({fits[0].source, states[0].model}, {fits[1].source, states[1].model}, T_second_first, T_meant);
+}
+
+/// The conversion with another camera, judged as it was; nothing where that reaches less of the image.
+std::optional<Conversion> conversion_to(const SeparateFit& fit, const State& state) {
+  Diagnostics told_already;
+  const std::optional<Domain> domain = domain_of(fit.source, fit.options.max_angle_rad, told_already);
+  if (!domain) return std::nullopt;
+  const Transform T_target_source = state.T_target_source();
+  const bool is_turned = !state.angles.isZero();
+  const Projection image_of = [&](const Ray& ray) { return project(state.model, rotated(T_target_source, ray)); };
+  Conversion result = fit.conversion;
+  ConversionReport& report = result.report;
+  const internal::Scorer scorer{fit.source.model, is_turned ? nullptr : &state.model, is_turned ? &image_of : nullptr, *domain,
+                                report.scored_to_deg * std::numbers::pi / 180.0};
+  Judgement judgement = internal::judge_all(scorer, internal::score_on_lattice(scorer),
+                                            {fit.options.every_pixel, fit.options.bound && !is_turned});
+  constexpr double kSameShare = 1e-3;
+  if (judgement.coverage.scored < report.judgement.coverage.scored - kSameShare) return std::nullopt;
+  if (is_turned) report.turn = AbsorbedTurn{T_target_source, report.judgement.error.rms, report.judgement.error.max};
+  report.judgement = std::move(judgement);
+  report.turn_offer.reset();
+  result.camera.model = state.model;
+  return result;
+}
+
+}  // namespace
+
+std::optional<PairFit> fit_pair(const std::array<SeparateFit, 2>& cameras, const Transform& T_second_first) {
+  if (std::ranges::any_of(cameras, [](const SeparateFit& each) { return each.conversion.report.exact; })) return std::nullopt;
+  const std::array<State, 2> start = {State{cameras[0].conversion.camera.model}, State{cameras[1].conversion.camera.model}};
+  const std::optional<PairError> before = error_of(cameras, start, T_second_first);
+  Diagnostics unheard;  // who asks has not asked for a rectification
+  RectifyOptions options;
+  options.valid_regions = false;
+  const std::optional<RectifiedPair> rectified =
+      rectify(cameras[0].source, cameras[1].source, T_second_first, options, unheard);
+  std::optional<CameraOfPair> first = of_pair(cameras[0]);
+  std::optional<CameraOfPair> second = of_pair(cameras[1]);
+  if (!before || !rectified || !first || !second) return std::nullopt;
+  const std::array<CameraOfPair, 2> counted = {*std::move(first), *std::move(second)};
+  const Matches matches = internal::matches_of(counted, T_second_first, *rectified);
+  if (matches.seen[0].empty()) return std::nullopt;
+
+  struct Candidate {
+    std::array<State, 2> states;
+    PairError error;
+  };
+  Candidate best{start, *before};
+  constexpr double kWorthATurn = 0.9;
+  for (const bool turns : {false, true}) {
+    const std::optional<std::array<State, 2>> found = Problem(cameras, counted, matches, turns).solve(best.states);
+    const std::optional<PairError> error = found ? error_of(cameras, *found, T_second_first) : std::nullopt;
+    const double enough = (turns ? kWorthATurn : 1.0) * best.error.rms_px();
+    if (error && error->rms_px() < enough) best = {*found, *error};
+  }
+  if (!(best.error.rms_px() < before->rms_px())) return std::nullopt;
+  std::optional<Conversion> left = conversion_to(cameras[0], best.states[0]);
+  std::optional<Conversion> right = conversion_to(cameras[1], best.states[1]);
+  if (!left || !right) return std::nullopt;
+  return PairFit{{*std::move(left), *std::move(right)}, *before, best.error};
+}
+
+}  // namespace fca
