@@ -122,6 +122,16 @@ std::span<const CodeInfo> convert_codes() {
       note(Code::kCommonLensFitted, "common-lens",
            "{0} and {1} get one k1 to k4, fitted to both, and each its own fx fy cx cy: as the program reads them they are "
            "{2:px} and {3:px} px rms off in place of {4:px} and {5:px}"),
+      note(Code::kPairFitted, "pair-fitted",
+           "{0} and {1} are fitted together: the images of a point miss each other's row by {2:px} px rms, {3:px} at most, in "
+           "place of {4:px} and {5:px}"),
+      note(Code::kPairFitDoesNotHelp, "pair-fit-does-not-help",
+           "{0} and {1}: no fit of both together brings the images of a point nearer to one row than what is written"),
+      bad_request(
+          Code::kPairFitNeedsPair, "pair-fit-needs-pair",
+          "only a stereo pair is fitted together: two cameras that see the same, with image sizes and a pose between them"),
+      bad_request(Code::kPairFitWithOthers, "pair-fit-with-others",
+                  "a pair is fitted together for the rms, with all parameters free; turns are a part of it"),
       error(Code::kLossesNotAllowed, "strict-loss", "the target cannot carry {0:and}, and nothing may be lost"),
       clause(Code::kBetterModelsExist, "{0}"),
       clause(Code::kNoBetterModel, "{0} reads no better model{1}"),
