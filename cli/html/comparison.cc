@@ -29,14 +29,15 @@ std::string both_names(const CameraComparison& camera) {
 void put_tiles(Html& html, const RigComparison& comparison) {
   html.element("div", {{"class", "tiles"}}, [&] {
     for (const CameraComparison& camera : comparison.cameras) {
-      const ErrorSummary& error = camera.difference.judgement.error;
+      const ErrorSummary& error = camera.decisive().judgement.error;
       html.element("div", {{"class", "tile"}}, [&] {
         html.element("div", {{"class", "soft"}}, both_names(camera));
         html.element("div", {{"class", "big"}},
                      camera.identical ? "identical" : "rms " + pixels(error.rms, camera.size) + " px");
         if (camera.identical) return;
         html.element("div", {{"class", "soft"}}, "worst pixel " + pixels(error.max, camera.size) + " px");
-        html.element("div", {{"class", "soft"}}, same_in_words(camera.difference));
+        html.element("div", {{"class", "soft"}}, same_in_words(camera.decisive()));
+        if (camera.turn_cancels) html.element("div", {{"class", "soft"}}, "with a turn that its poses cancel");
       });
     }
   });
@@ -63,11 +64,17 @@ void put_words(Html& html, const CameraComparison& camera) {
            error_text(difference.judgement, camera.size) + "; rms " + pixels(difference.angle.rms_deg) + " deg, max " +
                pixels(difference.angle.max_deg) + " deg");
   put_line(html, "", same_in_words(difference));
-  if (!turning_helps(camera) || is_larger_than(camera.rotated->difference.judgement, camera.size)) return;
-  const ErrorSummary& turned = camera.rotated->difference.judgement.error;
+  if (camera.focus) {
+    put_line(html, "focus: ",
+             "up to " + fixed(camera.focus->max_angle_deg, 1) +
+                 " deg from the axis: " + error_text(camera.focus->difference.judgement, camera.size));
+  }
+  if (!turning_helps(camera) || is_larger_than(camera.counted_rotated()->judgement, camera.size)) return;
+  const ErrorSummary& turned = camera.counted_rotated()->judgement.error;
   put_line(html, "rotation between them: ",
            rotation_in_words(*camera.rotated) + "; with that undone rms " + pixels(turned.rms, camera.size) + " px, max " +
                pixels(turned.max, camera.size) + " px");
+  if (camera.turn_cancels) put_line(html, "its poses: ", cancelled_turn_in_words(camera));
 }
 
 /// The parameters that differ, for images of one size.
@@ -112,7 +119,8 @@ void put_camera(Html& html, const CameraComparison& compared, const Rig& referen
     drawn.judgement = &compared.difference.judgement;
     drawn.scored_to_deg = compared.scored_to_deg;
     drawn.distance = "Difference";
-    if (turning_helps(compared)) {
+    // The curve is drawn for points infinitely far away.
+    if (turning_helps(compared) && !compared.rotated->distance_m) {
       drawn.rotation = &compared.rotated->T_other_reference;
       drawn.rotated = &compared.rotated->difference.judgement;
     }
@@ -134,11 +142,20 @@ void put_poses(Html& html, const std::vector<PoseComparison>& poses) {
   if (poses.empty()) return;
   Table table{{"pose", "angle, deg", "position, mm", "reference's distance, mm", "compared one's, mm"}, {}, "cards"};
   const auto millimetres = [](double metres) { return text::format_short(1000.0 * metres, 5); };
+  const auto with_rest = [](double whole, const std::optional<double>& rest) {
+    return text::format_short(whole, 3) + (rest ? " (" + text::format_short(*rest, 3) + " with the turn)" : "");
+  };
   for (const PoseComparison& pose : poses) {
     const bool same = pose.same_but_for_rounding();
+    std::optional<double> rest_deg;
+    std::optional<double> rest_mm;
+    if (pose.remaining) {
+      rest_deg = pose.remaining->angle_rad * kDegreesPerRadian;
+      rest_mm = 1000.0 * pose.remaining->distance_m;
+    }
     table.rows.push_back({"T_" + pose.a + "_" + pose.b,
-                          same ? "the same" : text::format_short(pose.angle_rad * kDegreesPerRadian, 3),
-                          same ? "the same" : text::format_short(1000.0 * pose.distance_m, 3),
+                          same ? "the same" : with_rest(pose.angle_rad * kDegreesPerRadian, rest_deg),
+                          same ? "the same" : with_rest(1000.0 * pose.distance_m, rest_mm),
                           millimetres(pose.reference_length_m), millimetres(pose.other_length_m)});
   }
   put_table(html, table);

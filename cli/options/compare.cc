@@ -4,6 +4,9 @@
 #include "inputs.h"
 #include "limits.h"
 #include "output.h"
+#include "shell/words.h"
+
+#include <fca/rig/limits.h>
 
 namespace fca::cli {
 
@@ -32,7 +35,24 @@ void add_compare_options(Options& options, CompareArguments& arguments) {
   options.hide({"--join"});  // refused: not worth a line of the help
   options.each("--with-file", "FILE", "A further part of FILE, as --with is one of REF; may be given several times",
                request.parts);
+  options.group(OptionGroup::kLens);
+  options.number("--focus", "DEG",
+                 "Rays up to so many degrees from the axis count: from them the best rotation is sought, and they make the "
+                 "verdict. Unlike with --max-angle the rest is still measured, with that rotation",
+                 [&request](double degrees) -> std::optional<std::string> {
+                   if (!(degrees > 0.0 && degrees <= 180.0)) return "--focus wants degrees from the axis in (0, 180]";
+                   request.focus_rad = degrees / kDegreesPerRadian;
+                   return std::nullopt;
+                 });
   options.group(OptionGroup::kProof);
+  options.number("--distance", "METRES",
+                 "Points are so far from the camera, and a shift of the projection centre is sought with the best rotation "
+                 "(default: infinitely far, a rotation alone)",
+                 [&request](double metres) -> std::optional<std::string> {
+                   if (problem_with_baseline(metres).is_said()) return "--distance wants a positive number of metres";
+                   request.distance_m = metres;
+                   return std::nullopt;
+                 });
   add_max_error_option(
       options,
       "Exit with 1 if a camera's worst pixel is off by more, if a camera or more than a thousandth of its image is "
@@ -57,11 +77,13 @@ void add_compare_options(Options& options, CompareArguments& arguments) {
       "Cameras\n"
       "are matched by name, else by order; with --camera by the order given there. --with, --crop, --binning and --resize are\n"
       "REF's. Images of another size and the same proportions are scaled.\n\n"
+      "Where a camera is turned and its poses turn back, so that both cancel, the verdict is about what remains.\n\n"
       "Exit codes: 0 compared, whatever the differences; 1 --max-error or --strict not met; 2 bad input; 3 usage; 4 "
       "input/output.\n\n"
       "Example:\n"
       "  fca-io compare camchain.yaml --with imu.yaml settings.yaml --report page.html\n"
-      "  fca-io compare before.yaml after.yaml --max-angle 97.5 --max-error 0.5\n");
+      "  fca-io compare before.yaml after.yaml --max-angle 97.5 --max-error 0.5\n"
+      "  fca-io compare before.yaml after.yaml --focus 40 --distance 2\n");
   options.afterwards([&arguments] { return usage_error(arguments); });
 }
 

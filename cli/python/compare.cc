@@ -11,13 +11,17 @@ namespace fca::python {
 
 namespace {
 
-RigComparison compare_sources(const py::object& reference, const py::object& other, const std::optional<double>& max_angle) {
+RigComparison compare_sources(const py::object& reference, const py::object& other, const std::optional<double>& max_angle,
+                              const std::optional<double>& focus, const std::optional<double>& distance) {
+  if (distance && !(*distance > 0.0)) raise_value_error("distance is in metres, more than 0");
   CompareRequest request;
   request.reference = inputs_of(reference);
   const Inputs inputs = inputs_of(other);
   request.files = inputs.files;
   request.parts = inputs.parts;
   request.reference.max_angle_rad = radians(max_angle);
+  request.focus_rad = radians(focus);
+  request.distance_m = distance;
   Files files;
   CompareResult result;
   {
@@ -37,6 +41,10 @@ std::vector<std::tuple<std::string, std::optional<double>, std::optional<double>
     if (!row.same_but_for_rounding()) rows.emplace_back(row.name, row.reference, row.other);
   }
   return rows;
+}
+
+std::optional<std::array<double, 3>> centre_of(const CameraComparison& camera) {
+  return camera.rotated && camera.rotated->distance_m ? std::optional(camera.rotated->centre_m) : std::nullopt;
 }
 
 std::vector<std::string> mistakes_of(const RigComparison& comparison) {
@@ -79,6 +87,17 @@ void add_compare(py::module_& module) {
       .def_readonly("other", &CameraComparison::other, "Name.")
       .def_readonly("identical", &CameraComparison::identical)
       .def_property_readonly("error", [](const CameraComparison& each) { return each.difference.judgement.error; })
+      .def_property_readonly(
+          "decisive_error", [](const CameraComparison& each) { return each.decisive().judgement.error; },
+          "PixelError that counts: in focus, and without a turn that the poses cancel.")
+      .def_property_readonly(
+          "rotation",
+          [](const CameraComparison& each) { return each.rotated ? std::optional(each.rotated->vector_rad) : std::nullopt; },
+          "Rotation vector from the reference's rays to the other's, radians.")
+      .def_property_readonly(
+          "centre", [](const CameraComparison& each) { return centre_of(each); },
+          "The other's projection centre in the reference's frame, metres; None without a distance.")
+      .def_readonly("turn_cancels", &CameraComparison::turn_cancels, "The other's poses turn back by what its lens is turned.")
       .def_property_readonly("differing", &differing, "(parameter, reference's, other's) of those that differ.");
   py::class_<PoseComparison>(module, "PoseComparison", "How the same two things sit to each other in the two rigs.")
       .def_readonly("a", &PoseComparison::a)
@@ -92,7 +111,9 @@ void add_compare(py::module_& module) {
       .def_property_readonly("identical", &RigComparison::identical)
       .def_property_readonly("mistakes", &mistakes_of, "Common mistakes that explain a difference.");
   module.def("compare", &compare_sources, py::arg("reference"), py::arg("other"), py::kw_only(),
-             py::arg("max_angle") = py::none(), "How two calibrations, of any formats and models, differ: paths or Rigs.");
+             py::arg("max_angle") = py::none(), py::arg("focus") = py::none(), py::arg("distance") = py::none(),
+             "How two calibrations, of any formats and models, differ: paths or Rigs. focus: degrees from the axis up to which "
+             "rays count; distance: of the points, metres.");
   py::class_<ModelRow>(module, "ModelFit", "One camera model as a target.")
       .def_readonly("model", &ModelRow::model)
       .def_readonly("error", &ModelRow::error, "PixelError over the whole image.")

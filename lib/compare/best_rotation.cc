@@ -43,39 +43,59 @@ Eigen::Matrix3d wahba(const std::vector<Pair>& pairs) {
   return svd.matrixU() * Eigen::Vector3d(1.0, 1.0, handedness < 0.0 ? -1.0 : 1.0).asDiagonal() * svd.matrixV().transpose();
 }
 
-std::optional<Eigen::Vector2d> error_of(const CameraModel& other, const Pair& pair, const Eigen::Matrix3d& R) {
-  const Eigen::Vector3d ray = R * pair.reference;
+/// From unit rays of the reference to rays of the other.
+struct Move {
+  Eigen::Matrix3d R;
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< A translation in units of the points' distance.
+};
+
+/// The unknowns of a step: a rotation vector, and with six the shift behind it.
+template <int kUnknowns>
+using StepOf = Eigen::Matrix<double, kUnknowns, 1>;
+constexpr int kOfRotation = 3;
+constexpr int kOfTranslation = 6;
+
+template <int kUnknowns>
+Move moved(const Move& move, const StepOf<kUnknowns>& step) {
+  Move result = {rotation_by(step.template head<3>()) * move.R, move.shift};
+  if constexpr (kUnknowns == kOfTranslation) result.shift += step.template tail<3>();
+  return result;
+}
+
+std::optional<Eigen::Vector2d> error_of(const CameraModel& other, const Pair& pair, const Move& move) {
+  const Eigen::Vector3d ray = move.R * pair.reference + move.shift;
   const std::optional<Pixel> pixel = project(other, {ray[0], ray[1], ray[2]});
   if (!pixel) return std::nullopt;
   return Eigen::Vector2d((*pixel)[0], (*pixel)[1]) - pair.pixel;
 }
 
 /// The sum of the weighted squares; infinite where a ray has no pixel.
-double cost_of(const CameraModel& other, const std::vector<Pair>& pairs, const Eigen::Matrix3d& R) {
+double cost_of(const CameraModel& other, const std::vector<Pair>& pairs, const Move& move) {
   double cost = 0.0;
   for (const Pair& pair : pairs) {
-    const std::optional<Eigen::Vector2d> error = error_of(other, pair, R);
+    const std::optional<Eigen::Vector2d> error = error_of(other, pair, move);
     cost += error ? pair.weight * error->squaredNorm() : std::numeric_limits<double>::infinity();
   }
   return cost;
 }
 
-/// The step of Gauss and Newton, as a rotation vector; derivatives are differences.
-Eigen::Vector3d step_from(const CameraModel& other, const std::vector<Pair>& pairs, const Eigen::Matrix3d& R) {
+/// The step of Gauss and Newton; derivatives are differences.
+template <int kUnknowns>
+StepOf<kUnknowns> step_from(const CameraModel& other, const std::vector<Pair>& pairs, const Move& move) {
   constexpr double kStep = 1e-6;
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  Eigen::Matrix<double, kUnknowns, kUnknowns> normal = Eigen::Matrix<double, kUnknowns, kUnknowns>::Zero();
+  StepOf<kUnknowns> right = StepOf<kUnknowns>::Zero();
   for (const Pair& pair : pairs) {
-    const std::optional<Eigen::Vector2d> error = error_of(other, pair, R);
+    const std::optional<Eigen::Vector2d> error = error_of(other, pair, move);
     if (!error) continue;
-    Eigen::Matrix<double, 2, 3> slopes;
+    Eigen::Matrix<double, 2, kUnknowns> slopes;
     bool all = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Eigen::Vector3d along = kStep * Eigen::Vector3d::Unit(axis);
-      const std::optional<Eigen::Vector2d> after = error_of(other, pair, rotation_by(along) * R);
-      const std::optional<Eigen::Vector2d> before = error_of(other, pair, rotation_by(-along) * R);
+    for (int unknown = 0; unknown < kUnknowns; ++unknown) {
+      const StepOf<kUnknowns> along = kStep * StepOf<kUnknowns>::Unit(unknown);
+      const std::optional<Eigen::Vector2d> after = error_of(other, pair, moved<kUnknowns>(move, along));
+      const std::optional<Eigen::Vector2d> before = error_of(other, pair, moved<kUnknowns>(move, -along));
       all = all && after && before;
-      if (all) slopes.col(axis) = (*after - *before) / (2.0 * kStep);
+      if (all) slopes.col(unknown) = (*after - *before) / (2.0 * kStep);
     }
     if (!all) continue;
     normal += pair.weight * slopes.transpose() * slopes;
@@ -84,31 +104,44 @@ Eigen::Vector3d step_from(const CameraModel& other, const std::vector<Pair>& pai
   return normal.ldlt().solve(right);
 }
 
-Eigen::Matrix3d polished(const CameraModel& other, std::vector<Pair> pairs, Eigen::Matrix3d R) {
-  std::erase_if(pairs, [&](const Pair& pair) { return !error_of(other, pair, R); });
-  double cost = cost_of(other, pairs, R);
+/// Steps that make the cost smaller are taken. Of a translation, which a narrow lens hardly tells from a turn, they may be
+/// too long: they are halved.
+template <int kUnknowns>
+Move polished(const CameraModel& other, std::vector<Pair> pairs, Move move) {
+  std::erase_if(pairs, [&](const Pair& pair) { return !error_of(other, pair, move); });
+  double cost = cost_of(other, pairs, move);
   constexpr int kSteps = 20;
+  constexpr int kTries = kUnknowns == kOfTranslation ? 10 : 1;
   for (int i = 0; i < kSteps; ++i) {
-    const Eigen::Vector3d step = step_from(other, pairs, R);
+    StepOf<kUnknowns> step = step_from<kUnknowns>(other, pairs, move);
     if (!step.allFinite()) break;
-    const Eigen::Matrix3d next = rotation_by(step) * R;
-    const double next_cost = cost_of(other, pairs, next);
-    if (!(next_cost < cost)) break;
-    R = next;
-    cost = next_cost;
+    bool is_better = false;
+    for (int attempt = 0; attempt < kTries && !is_better; ++attempt, step *= 0.5) {
+      const Move next = moved<kUnknowns>(move, step);
+      const double next_cost = cost_of(other, pairs, next);
+      is_better = next_cost < cost;
+      if (!is_better) continue;
+      move = next;
+      cost = next_cost;
+    }
+    if (!is_better) break;
   }
-  return R;
+  return move;
 }
 
 }  // namespace
 
-std::optional<Transform> best_rotation(const Lens& reference, const CameraModel& other, const Domain& domain) {
+std::optional<Transform> best_rotation(const Lens& reference, const CameraModel& other, const Domain& domain,
+                                       std::optional<double> distance_m) {
   const std::vector<Pair> pairs = pairs_of(reference, other, domain);
-  constexpr std::size_t kFewest = 3;
+  constexpr std::size_t kFewest = 3;  // two numbers each, for six unknowns
   if (pairs.size() < kFewest) return std::nullopt;
-  const Eigen::Matrix3d R = polished(other, pairs, wahba(pairs));
-  if (!R.allFinite()) return std::nullopt;
-  return transform_of(R);
+  const Move start = {wahba(pairs)};
+  const Move move = distance_m ? polished<kOfTranslation>(other, pairs, start) : polished<kOfRotation>(other, pairs, start);
+  if (!move.R.allFinite() || !move.shift.allFinite()) return std::nullopt;
+  Transform result = transform_of(move.R);
+  for (int i = 0; i < 3 && distance_m; ++i) result(i, 3) = *distance_m * move.shift[i];
+  return result;
 }
 
 }  // namespace fca::internal

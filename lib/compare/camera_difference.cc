@@ -12,8 +12,15 @@ namespace {
 
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
+/// The other camera's unit ray to what the reference sees along `ray`.
 Ray turned(const ModelPair& pair, const Ray& ray) {
-  return pair.T_other_reference != nullptr ? rotated(*pair.T_other_reference, ray) : ray;
+  if (pair.T_other_reference == nullptr) return ray;
+  Ray result = rotated(*pair.T_other_reference, ray);
+  if (!pair.distance_m) return result;
+  for (int i = 0; i < 3; ++i) result[static_cast<std::size_t>(i)] += (*pair.T_other_reference)(i, 3) / *pair.distance_m;
+  const double length = std::hypot(result[0], result[1], result[2]);
+  for (double& element : result) element /= length;
+  return result;
 }
 
 /// Between two unit rays (Kahan: accurate for all angles).

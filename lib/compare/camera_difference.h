@@ -7,13 +7,17 @@
 #include <fca/convert/judge.h>
 #include <fca/models/camera_model.h>
 
+#include <optional>
+
 namespace fca::internal {
 
-/// Two models; the reference's rays are turned by `T_other_reference` if there is one.
+/// Two models; the reference's rays are turned by `T_other_reference` if there is one. With a distance its points, so far from
+/// the reference's projection centre, are moved by it.
 struct ModelPair {
   const CameraModel& reference;
   const CameraModel& other;
   const Transform* T_other_reference = nullptr;
+  std::optional<double> distance_m = {};
 };
 
 [[nodiscard]] CameraDifference difference_of(const ModelPair& pair, const Domain& domain, const JudgeOptions& options);

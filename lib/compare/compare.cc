@@ -4,6 +4,7 @@
 #include "best_rotation.h"
 #include "camera_difference.h"
 #include "fact_comparison.h"
+#include "folded_turns.h"
 #include "matching.h"
 #include "mistaken_camera.h"
 #include "pose_comparison.h"
@@ -72,7 +73,13 @@ std::optional<CameraPair> at_one_size(const Camera& reference, const Camera& oth
 struct PreparedPair {
   CameraPair cameras;
   Domain domain;
+  std::optional<Domain> focus = {};  ///< The part of it that counts, if the options name one.
 };
+
+/// The domain up to the angle in focus; nothing with an error where it holds no pixel.
+std::optional<Domain> in_focus(const Camera& reference, const CompareOptions& options, Diagnostics& diagnostics) {
+  return domain_of(reference, std::min(*options.focus_rad, options.max_angle_rad.value_or(*options.focus_rad)), diagnostics);
+}
 
 std::optional<PreparedPair> prepared(const Camera& reference, const Camera& other, const CompareOptions& options,
                                      Diagnostics& diagnostics) {
@@ -93,7 +100,10 @@ std::optional<PreparedPair> prepared(const Camera& reference, const Camera& othe
     diagnostics.add(std::move(entry));
   }
   if (!domain) return std::nullopt;
-  return PreparedPair{*std::move(pair), *std::move(domain)};
+  PreparedPair result{*std::move(pair), *std::move(domain)};
+  if (!options.focus_rad) return result;
+  result.focus = in_focus(result.cameras.reference, options, diagnostics);
+  return result.focus ? std::optional(std::move(result)) : std::nullopt;
 }
 
 std::vector<ParameterComparison> parameters_of(const CameraModel& reference, const CameraModel& other) {
@@ -115,6 +125,21 @@ std::vector<ParameterComparison> parameters_of(const CameraModel& reference, con
   return rows;
 }
 
+/// Without its differences.
+std::optional<BestRotation> best_rotation_of(const PreparedPair& pair, std::optional<double> distance_m) {
+  const std::optional<Transform> found = internal::best_rotation(pair.cameras.reference.model, pair.cameras.other.model,
+                                                                 pair.focus ? *pair.focus : pair.domain, distance_m);
+  const std::optional<Transform> T_reference_other = found ? inverse(*found) : std::nullopt;
+  if (!T_reference_other) return std::nullopt;
+  BestRotation best;
+  best.T_other_reference = *found;
+  best.vector_rad = rotation_vector(*found);
+  best.angle_rad = std::hypot(best.vector_rad[0], best.vector_rad[1], best.vector_rad[2]);
+  best.distance_m = distance_m;
+  best.centre_m = translation_of(*T_reference_other);
+  return best;
+}
+
 CameraComparison comparison_of(const PreparedPair& pair, const CompareOptions& options) {
   const Camera& reference = pair.cameras.reference;
   const Camera& other = pair.cameras.other;
@@ -130,17 +155,20 @@ CameraComparison comparison_of(const PreparedPair& pair, const CompareOptions& o
   result.identical = reference.model == other.model && !result.other_size;
   result.scored_to_deg = std::min(pair.domain.max_angle_rad, max_angle(other.model)) * kDegreesPerRadian;
   const JudgeOptions judged = {.every_pixel = options.every_pixel, .bound = options.bound};
-  result.difference = internal::difference_of({reference.model, other.model}, pair.domain, judged);
+  const internal::ModelPair as_they_are = {reference.model, other.model};
+  result.difference = internal::difference_of(as_they_are, pair.domain, judged);
+  if (pair.focus) {
+    result.focus = FocusComparison{pair.focus->max_angle_rad * kDegreesPerRadian,
+                                   internal::difference_of(as_they_are, *pair.focus, judged), std::nullopt};
+  }
   if (reference.model == other.model) return result;
-  const std::optional<Transform> rotation = internal::best_rotation(reference.model, other.model, pair.domain);
-  if (!rotation) return result;
-  BestRotation best;
-  best.T_other_reference = *rotation;
-  best.vector_rad = rotation_vector(*rotation);
-  best.angle_rad = std::hypot(best.vector_rad[0], best.vector_rad[1], best.vector_rad[2]);
+  std::optional<BestRotation> best = best_rotation_of(pair, options.distance_m);
+  if (!best) return result;
+  const internal::ModelPair as_moved = {reference.model, other.model, &best->T_other_reference, options.distance_m};
   JudgeOptions unproven = judged;
   unproven.bound = false;
-  best.difference = internal::difference_of({reference.model, other.model, &best.T_other_reference}, pair.domain, unproven);
+  best->difference = internal::difference_of(as_moved, pair.domain, unproven);
+  if (pair.focus) result.focus->rotated = internal::difference_of(as_moved, *pair.focus, unproven);
   result.rotated = std::move(best);
   return result;
 }
@@ -205,6 +233,7 @@ void find_mistakes(const RigPair& rigs, const internal::PoseTask& poses, RigComp
     if (!rigs.cameras[i] || (exchange && exchange->lenses && (i == exchange->first || i == exchange->second))) continue;
     const PreparedPair& pair = *rigs.cameras[i];
     const auto compared = std::ranges::find(result.cameras, pair.cameras.reference.name, &CameraComparison::reference);
+    if (compared->turn_cancels) continue;
     std::optional<Mistake> mistake =
         internal::mistake_in(pair.cameras.reference, pair.cameras.other, pair.cameras.scale, compared->difference, pair.domain);
     if (mistake) result.mistakes.push_back(*std::move(mistake));
@@ -248,6 +277,11 @@ void list_unmatched(const RigPair& rigs, RigComparison& result) {
 bool Mistake::is_like(const Mistake& mistake) const {
   const auto rest = [](const Mistake& each) { return std::span(each.message.arguments).subspan(1); };
   return message.code == mistake.message.code && std::ranges::equal(rest(*this), rest(mistake));
+}
+
+const CameraDifference* CameraComparison::counted_rotated() const {
+  if (focus) return focus->rotated ? &*focus->rotated : nullptr;
+  return rotated ? &rotated->difference : nullptr;
 }
 
 bool ParameterComparison::same_but_for_rounding() const {
@@ -295,7 +329,8 @@ RigComparison compare(const Rig& reference, const Rig& other, const CompareOptio
   const internal::PoseTask poses(reference, other, rigs.matching);
   internal::compare_poses(poses, result);
   internal::compare_facts(reference, other, rigs.matching, result);
-  find_mistakes(rigs, poses, result);
+  const std::optional<Rig> turned = internal::fold_turns(poses, result);
+  find_mistakes(rigs, turned ? internal::PoseTask(*turned, other, rigs.matching) : poses, result);
   list_unmatched(rigs, result);
   if (result.cameras.empty() && result.poses.empty() && result.facts.empty() && !diagnostics.has_errors()) {
     diagnostics.add(Code::kNothingInCommon, {contents_of(reference), contents_of(other)});

@@ -32,7 +32,7 @@ double distance_of_poses(const Transform& reference, const Transform& other) {
 }
 
 PoseComparison comparison_of(const std::string& a, const std::string& b, const Transform& reference, const Transform& other) {
-  PoseComparison result{a, b, 0.0, distance_between(reference, other), distance_of(reference), distance_of(other)};
+  PoseComparison result{a, b, 0.0, distance_between(reference, other), distance_of(reference), distance_of(other), {}};
   // What is only roughly a rotation has no angle.
   const std::optional<Transform> right = nearest_rotation(reference);
   const std::optional<Transform> left = nearest_rotation(other);
@@ -156,7 +156,8 @@ namespace fca {
 
 double PoseComparison::apart() const {
   const double allowed = std::max(internal::kSameDistance, internal::kSameShare * reference_length_m);
-  return std::max(angle_rad / internal::kSameAngle, distance_m / allowed);
+  const PoseDistance distance = decisive();
+  return std::max(distance.angle_rad / internal::kSameAngle, distance.distance_m / allowed);
 }
 
 }  // namespace fca

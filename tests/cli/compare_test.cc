@@ -100,6 +100,47 @@ TEST(Compare, TheWorstPixelDecidesTheExitCode) {
   EXPECT_EQ(run_program({"compare", "-", "-"}).code, 3);
 }
 
+// Rays beyond --focus are measured, and no limit counts them.
+TEST(Compare, FocusIsWhatLimitsCount) {
+  const TemporaryFolder folder;
+  const std::string ds = folder / "ds.yaml";
+  ASSERT_EQ(run_program({"convert", kTumvi, "--camera", "0", "--to", "kalibr", "--model", "ucm", "-o", ds, "--no-verify"}).code,
+            0);
+  const Told whole({"compare", kTumvi, ds, "--camera", "0"});
+  const Told focused({"compare", kTumvi, ds, "--camera", "0", "--focus", "30"});
+  const Told narrow({"compare", kTumvi, ds, "--camera", "0", "--max-angle", "30"});
+  const auto camera = [](const Told& told) -> const rapidjson::Value& { return told.json()["files"][0]["cameras"][0]; };
+  EXPECT_EQ(camera(focused)["error_px"]["max"].GetDouble(), camera(whole)["error_px"]["max"].GetDouble());
+  const double most = camera(narrow)["error_px"]["max"].GetDouble();
+  EXPECT_EQ(camera(focused)["focus"]["error_px"]["max"].GetDouble(), most);
+  EXPECT_TRUE(camera(whole)["focus"].IsNull());
+  ASSERT_LT(most, 0.9 * camera(whole)["error_px"]["max"].GetDouble());
+  const std::string limit = std::to_string(1.05 * most);
+  EXPECT_EQ(run_program({"compare", kTumvi, ds, "--camera", "0", "--max-error", limit}).code, 1);
+  EXPECT_EQ(run_program({"compare", kTumvi, ds, "--camera", "0", "--max-error", limit, "--focus", "30"}).code, 0);
+  EXPECT_EQ(run_program({"compare", kTumvi, ds, "--camera", "0", "--max-error", limit, "--focus", "60"}).code, 1);
+  for (const char* word : {"0", "-3", "181", "wide"})
+    EXPECT_EQ(run_program({"compare", kTumvi, ds, "--focus", word}).code, 3) << word;
+  for (const char* word : {"0", "-3", "1e9", "far"})
+    EXPECT_EQ(run_program({"compare", kTumvi, ds, "--distance", word}).code, 3) << word;
+}
+
+TEST(Compare, ATranslationIsSoughtAtADistance) {
+  const TemporaryFolder folder;
+  const std::string ds = folder / "ds.yaml";
+  ASSERT_EQ(run_program({"convert", kTumvi, "--camera", "0", "--to", "kalibr", "--model", "ds", "-o", ds, "--no-verify"}).code,
+            0);
+  const Told far({"compare", kTumvi, ds, "--camera", "0"});
+  const Told near({"compare", kTumvi, ds, "--camera", "0", "--distance", "2"});
+  const auto rotated = [](const Told& told) -> const rapidjson::Value& {
+    return told.json()["files"][0]["cameras"][0]["rotated"];
+  };
+  EXPECT_TRUE(rotated(far)["distance_m"].IsNull() && rotated(far)["centre_m"].IsNull());
+  EXPECT_EQ(rotated(near)["distance_m"].GetDouble(), 2.0);
+  EXPECT_EQ(rotated(near)["centre_m"].Size(), 3U);
+  EXPECT_LE(rotated(near)["error_px"]["rms"].GetDouble(), 1.001 * rotated(far)["error_px"]["rms"].GetDouble());
+}
+
 // What is missing is off by more than any limit, and not identical.
 TEST(Compare, AMissingCameraOrImagePartIsNoPass) {
   const TemporaryFolder folder;

@@ -107,6 +107,47 @@ TEST(Turn, IsInThePosesOfEveryFormat) {
   }
 }
 
+// compare folds the turn of a lens and that of its poses: what remains is the fit's error, and --strict has nothing to say.
+TEST(Turn, IsFoldedByCompare) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("camchain.yaml", kChain);
+  const std::string turned = folder / "turned.yaml";
+  const Told converting(
+      {"convert", chain, "--to", "kalibr", "--model", "kb4", "--absorb-rotation", "-o", turned, "--no-verify"});
+  ASSERT_EQ(converting.code(), 0) << converting.text();
+  const Told compared({"compare", chain, turned, "--strict", "--max-error", "1"});
+  EXPECT_EQ(compared.code(), 0) << compared.text();
+  const auto& file = compared.json()["files"][0];
+  for (rapidjson::SizeType i = 0; i < 2; ++i) {
+    const auto& camera = file["cameras"][i];
+    const double fitted = converting.json()["cameras"][i]["error_px"]["rms"].GetDouble();
+    EXPECT_TRUE(camera["rotated"]["cancels"].GetBool());
+    EXPECT_NEAR(camera["rotated"]["error_px"]["rms"].GetDouble(), fitted, 0.02 * fitted);
+    EXPECT_GT(camera["error_px"]["max"].GetDouble(), 1.0);
+  }
+  ASSERT_GT(file["poses"].Size(), 0U);
+  for (const auto& pose : file["poses"].GetArray()) {
+    EXPECT_GT(pose["rotation_deg"].GetDouble(), 0.05);
+    EXPECT_LT(pose["remaining_rotation_deg"].GetDouble(), 0.1 * pose["rotation_deg"].GetDouble());
+  }
+  const std::string verdict = file["verdict"].GetString();
+  EXPECT_TRUE(contains(verdict, "cam0") && contains(verdict, "cancel")) << verdict;
+  // The lens alone, its poses as they were.
+  const std::string lens = read_file(turned);
+  const std::size_t first = lens.find("  T_cam_imu");
+  ASSERT_NE(first, std::string::npos);
+  const std::string lens_alone = folder.write("lens.yaml", read_file(chain).substr(0, std::string(kChain).find("cam1:")));
+  const std::string turned_alone = folder.write("turned-alone.yaml", lens.substr(0, lens.find("cam1:")));
+  EXPECT_EQ(run_program({"compare", lens_alone, turned_alone, "--max-error", "1"}).code, 0);
+  const std::size_t line = lens.find('\n', first) + 1;
+  const std::string unturned =
+      folder.write("unturned.yaml", lens.substr(0, line) + "  - [0.0, 1.0, 0.0, 0.02]\n  - [-1.0, 0.0, 0.0, 0.01]\n" +
+                                        "  - [0.0, 0.0, 1.0, -0.03]\n  - [0.0, 0.0, 0.0, 1.0]\n");
+  const Told plain({"compare", lens_alone, unturned, "--max-error", "1"});
+  EXPECT_EQ(plain.code(), 1) << plain.text();
+  EXPECT_FALSE(plain.json()["files"][0]["cameras"][0]["rotated"]["cancels"].GetBool());
+}
+
 TEST(Turn, IsToldWhereNoPoseHoldsIt) {
   const TemporaryFolder folder;
   std::string lens = kChain;

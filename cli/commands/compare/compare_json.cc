@@ -59,6 +59,16 @@ void put_difference(Json& json, CameraDifference difference, const ImageSize& im
   json.put("same_to_deg", difference.same_to_deg);
 }
 
+void put_focus(Json& json, const CameraComparison& camera) {
+  if (!camera.focus) return json.null("focus");
+  json.object("focus", [&] {
+    json.put("max_angle_deg", camera.focus->max_angle_deg);
+    put_difference(json, camera.focus->difference, camera.size, camera.identical);
+    if (!camera.focus->rotated) return json.null("rotated");
+    json.object("rotated", [&] { put_difference(json, *camera.focus->rotated, camera.size, false); });
+  });
+}
+
 void put_camera(Json& json, const CameraComparison& camera) {
   json.put("name", camera.reference);
   json.put("other_name", camera.other);
@@ -81,6 +91,7 @@ void put_camera(Json& json, const CameraComparison& camera) {
   json.put("identical", camera.identical);
   put_domain(json, camera.difference.judgement.coverage, camera.scored_to_deg);
   put_difference(json, camera.difference, camera.size, camera.identical);
+  put_focus(json, camera);
   if (!camera.rotated) {
     json.null("rotated");
     return;
@@ -89,7 +100,14 @@ void put_camera(Json& json, const CameraComparison& camera) {
     json.put("angle_deg", camera.rotated->angle_rad * kDegreesPerRadian);
     const auto& vector = camera.rotated->vector_rad;
     json.put("vector_rad", std::span<const double>(vector));
+    json.put("distance_m", camera.rotated->distance_m);
+    if (camera.rotated->distance_m) {
+      json.put("centre_m", std::span<const double>(camera.rotated->centre_m));
+    } else {
+      json.null("centre_m");
+    }
     json.put("in_words", rotation_in_words(*camera.rotated));
+    json.put("cancels", camera.turn_cancels);
     put_difference(json, camera.rotated->difference, camera.size, false);
   });
 }
@@ -117,6 +135,9 @@ void put_comparison(Json& json, const RigComparison& comparison) {
       json.put("b", pose.b);
       json.put("rotation_deg", pose.angle_rad * kDegreesPerRadian);
       json.put("translation_m", pose.distance_m);
+      json.put("remaining_rotation_deg",
+               pose.remaining ? std::optional(pose.remaining->angle_rad * kDegreesPerRadian) : std::nullopt);
+      json.put("remaining_translation_m", pose.remaining ? std::optional(pose.remaining->distance_m) : std::nullopt);
       json.put("reference_length_m", pose.reference_length_m);
       json.put("length_m", pose.other_length_m);
       json.put("identical", pose.same_but_for_rounding());

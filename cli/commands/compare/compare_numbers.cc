@@ -98,6 +98,12 @@ std::string parameters_text(const CameraComparison& camera) {
 
 std::string length_in_words(double metres) { return text::format_short(metres * 1000.0, 5) + " mm"; }
 
+/// "0.369 deg and 1.2 mm"
+std::string distance_in_words(const PoseDistance& distance) {
+  return text::format_short(distance.angle_rad * kDegreesPerRadian, 3) + " deg and " +
+         text::format_short(distance.distance_m * 1000.0, 3) + " mm";
+}
+
 std::string poses_text(const std::vector<PoseComparison>& poses) {
   std::vector<Row> rows = {{"", "length in REF", "length in FILE", "difference"}};
   std::size_t same = 0;
@@ -108,8 +114,8 @@ std::string poses_text(const std::vector<PoseComparison>& poses) {
     }
     rows.push_back({"T_" + pose.a + "_" + pose.b, length_in_words(pose.reference_length_m),
                     length_in_words(pose.other_length_m),
-                    text::format_short(pose.angle_rad * kDegreesPerRadian, 3) + " deg and " +
-                        text::format_short(pose.distance_m * 1000.0, 3) + " mm"});
+                    distance_in_words({pose.angle_rad, pose.distance_m}) +
+                        (pose.remaining ? " (" + distance_in_words(*pose.remaining) + " with the turn)" : "")});
   }
   return section("poses", "pose", rows, same);
 }

@@ -26,7 +26,8 @@ std::string same_in_words(const CameraDifference& difference) {
 
 bool turning_helps(const CameraComparison& camera) {
   constexpr double kHelps = 0.9;
-  return camera.rotated && camera.rotated->difference.judgement.error.rms < kHelps * camera.difference.judgement.error.rms;
+  const CameraDifference* rotated = camera.counted_rotated();
+  return rotated != nullptr && rotated->judgement.error.rms < kHelps * camera.counted().judgement.error.rms;
 }
 
 namespace {
@@ -38,15 +39,29 @@ std::string heading(const CameraComparison& camera) {
   return text + "\n";
 }
 
+std::string focus_text(const CameraComparison& camera) {
+  if (!camera.focus) return "";
+  const CameraDifference& difference = camera.focus->difference;
+  return "  focus:  up to " + fixed(camera.focus->max_angle_deg, 1) +
+         " deg from the axis: " + error_text(difference.judgement, camera.size) + "\n          rms " +
+         pixels(difference.angle.rms_deg) + " deg, max " + pixels(difference.angle.max_deg) + " deg\n";
+}
+
 std::string turned_text(const CameraComparison& camera) {
   if (!camera.rotated) return "";
-  const bool same = camera.difference.same_to_deg >= camera.difference.judgement.coverage.max_angle_deg;
-  if (is_larger_than(camera.rotated->difference.judgement, camera.size)) return "";
+  const bool same = camera.counted().same_to_deg >= camera.counted().judgement.coverage.max_angle_deg;
+  const CameraDifference& turned = *camera.counted_rotated();
+  if (is_larger_than(turned.judgement, camera.size)) return "";
   if (!turning_helps(camera)) return same ? "" : "  turned: no rotation brings the two nearer\n";
-  const CameraDifference& turned = camera.rotated->difference;
-  return "  turned: by " + rotation_in_words(*camera.rotated) + "\n          with that undone: rms " +
-         pixels(turned.judgement.error.rms, camera.size) + " px (the smallest), max " +
-         pixels(turned.judgement.error.max, camera.size) + " px; " + same_in_words(turned) + "\n";
+  std::string text = "  turned: by " + rotation_in_words(*camera.rotated) + "\n          with that undone: rms " +
+                     pixels(turned.judgement.error.rms, camera.size) + " px (the smallest), max " +
+                     pixels(turned.judgement.error.max, camera.size) + " px; " + same_in_words(turned) + "\n";
+  if (camera.focus) {
+    const ErrorSummary& everywhere = camera.rotated->difference.judgement.error;
+    text += "          everywhere: rms " + pixels(everywhere.rms, camera.size) + " px, max " +
+            pixels(everywhere.max, camera.size) + " px\n";
+  }
+  return text + (camera.turn_cancels ? "          its poses turn back: lens and poses together see the same\n" : "");
 }
 
 std::vector<BandColumn> further_columns(const CameraComparison& camera) {
@@ -94,7 +109,7 @@ std::string camera_text(const CameraComparison& camera, bool with_bands) {
   text += "  error:  " + error_text(judgement, camera.size) + "\n";
   text += "          rms " + pixels(difference.angle.rms_deg) + " deg, max " + pixels(difference.angle.max_deg) + " deg\n";
   text += "          " + same_in_words(difference) + "\n";
-  text += turned_text(camera);
+  text += focus_text(camera) + turned_text(camera);
   if (with_bands) text += band_table(judgement.bands, further_columns(camera), camera.size);
   return text + corners_text(judgement);
 }

@@ -23,21 +23,28 @@ namespace {
 std::string in_tenths(double degrees) { return fixed(degrees, 1) + " deg"; }
 
 bool same(const CameraComparison& camera) {
-  const Judgement& judgement = camera.difference.judgement;
-  return camera.identical || camera.difference.same_to_deg >= judgement.coverage.max_angle_deg;
+  const CameraDifference& difference = camera.decisive();
+  return camera.identical || difference.same_to_deg >= difference.judgement.coverage.max_angle_deg;
 }
 
 /// "the cameras are the same (within 0.12 px)"
 std::string same_cameras(const std::vector<CameraComparison>& cameras) {
   double worst = 0.0;
-  for (const CameraComparison& camera : cameras) worst = std::max(worst, camera.difference.judgement.error.max);
+  for (const CameraComparison& camera : cameras) worst = std::max(worst, camera.decisive().judgement.error.max);
   const std::string what = cameras.size() == 1 ? "the same camera" : "the same cameras";
   return worst == 0.0 ? what : what + ", within " + pixels(worst) + " px";
 }
 
+/// ", and has no pixel for 3 % of the image"; empty where nobody notices.
+std::string lost_in_words(const Judgement& judgement) {
+  constexpr double kNoticeable = 5e-4;
+  const double lost = judgement.coverage.unrepresentable;
+  return lost > kNoticeable ? ", and has no pixel for " + percent(lost) + " of the image" : "";
+}
+
 /// "cam0 is up to 4.2 px off"
 std::string different_camera(const CameraComparison& camera) {
-  const CameraDifference& difference = camera.difference;
+  const CameraDifference& difference = camera.counted();
   if (!(difference.judgement.coverage.scored > 0.0)) return camera.other + " shares no ray with the reference's";
   constexpr double kNoticeable = 1.0;
   std::string text = camera.other + " ";
@@ -49,12 +56,12 @@ std::string different_camera(const CameraComparison& camera) {
   const std::string most = pixels(difference.judgement.error.max, camera.size);
   const bool is_held = difference.judgement.error.max <= std::hypot(camera.size.width, camera.size.height);
   text += (is_held ? "up to " : "") + most + " px off";
-  const double lost = difference.judgement.coverage.unrepresentable;
-  if (lost > 0.0005) text += ", and has no pixel for " + percent(lost) + " of the image";
-  if (!camera.rotated) return text;
+  text += lost_in_words(difference.judgement);
+  const CameraDifference* rotated = camera.counted_rotated();
+  if (rotated == nullptr) return text;
   // The best rotation makes the rms smallest; the largest error may grow by it.
   const double before = difference.judgement.error.rms;
-  const double after = camera.rotated->difference.judgement.error.rms;
+  const double after = rotated->judgement.error.rms;
   constexpr double kExplains = 0.5;
   if (after < kExplains * before) {
     text += ", rms " + pixels(before, camera.size) + " (" + pixels(after, camera.size) + " with a turn of " +
@@ -80,7 +87,7 @@ bool is_real(const FactComparison& fact) { return fact.apart() >= kRounding; }
 /// Does anything differ by more than rounding?
 bool any_is_real(const ComparedFile& compared) {
   const auto is_real_camera = [](const CameraComparison& camera) {
-    return !same(camera) || camera.difference.judgement.error.max >= kRounding * kSamePx;
+    return !same(camera) || camera.decisive().judgement.error.max >= kRounding * kSamePx;
   };
   const RigComparison& comparison = *compared.comparison;
   return inverses_differ(compared) || std::ranges::any_of(comparison.cameras, is_real_camera) ||
@@ -90,17 +97,19 @@ bool any_is_real(const ComparedFile& compared) {
 
 /// The poses furthest apart.
 std::string different_poses(const std::vector<PoseComparison>& poses) {
-  const auto angle = std::ranges::max_element(poses, {}, &PoseComparison::angle_rad);
-  const auto distance = std::ranges::max_element(poses, {}, &PoseComparison::distance_m);
+  const auto angle_of = [](const PoseComparison& pose) { return pose.decisive().angle_rad; };
+  const auto distance_of = [](const PoseComparison& pose) { return pose.decisive().distance_m; };
+  const auto angle = std::ranges::max_element(poses, {}, angle_of);
+  const auto distance = std::ranges::max_element(poses, {}, distance_of);
   const auto name = [](const PoseComparison& pose) { return "T_" + pose.a + "_" + pose.b; };
   constexpr double kNothing = 1e-9;  // rad, m
-  const bool is_turned = angle->angle_rad > kNothing;
-  const bool is_moved = distance->distance_m > kNothing;
+  const bool is_turned = angle_of(*angle) > kNothing;
+  const bool is_moved = distance_of(*distance) > kNothing;
   if (angle == distance || !is_turned || !is_moved) {
     return text::text_of(facts_of(is_moved ? *distance : *angle), with_options);
   }
-  return name(*angle) + " differs by " + angle_text(angle->angle_rad) + ", " + name(*distance) + " by " +
-         length_text(distance->distance_m);
+  return name(*angle) + " differs by " + angle_text(angle_of(*angle)) + ", " + name(*distance) + " by " +
+         length_text(distance_of(*distance));
 }
 
 /// One for each kind: "cam0 has ... (cam1 as well)".
@@ -118,6 +127,17 @@ std::vector<std::string> sentences(const std::vector<Mistake>& mistakes) {
   return result;
 }
 
+double distance_from_zero(const std::array<double, 3>& metres) { return std::hypot(metres[0], metres[1], metres[2]); }
+
+/// " (up to 30 deg from the axis)"; empty where all rays count.
+std::string focus_in_words(const std::vector<CameraComparison>& cameras) {
+  double furthest = 0.0;
+  for (const CameraComparison& camera : cameras) {
+    if (camera.focus && !camera.identical) furthest = std::max(furthest, camera.focus->max_angle_deg);
+  }
+  return furthest > 0.0 ? " (up to " + in_tenths(furthest) + " from the axis)" : "";
+}
+
 /// One clause of the verdict.
 struct Part {
   std::string text;
@@ -133,10 +153,12 @@ std::vector<Part> parts_of(const ComparedFile& compared, const std::string& of_i
   const bool all_same = std::ranges::all_of(comparison.cameras, same);
   if (all_same && !comparison.cameras.empty()) parts.push_back({same_cameras(comparison.cameras), 0.0});
   for (const CameraComparison& camera : comparison.cameras) {
-    if (!same(camera)) parts.push_back({different_camera(camera)});
+    if (camera.turn_cancels) parts.push_back({cancelled_turn_in_words(camera)});
+    if (!same(camera) && !camera.turn_cancels) parts.push_back({different_camera(camera)});
   }
   if (!of_inverse.empty()) parts.push_back({of_inverse});
   const auto same_pose = [without_rounding](const PoseComparison& pose) {
+    if (pose.remaining) return !is_real(pose);
     return pose.same_but_for_rounding() || (without_rounding && !is_real(pose));
   };
   if (std::ranges::all_of(comparison.poses, same_pose)) {
@@ -190,7 +212,16 @@ std::string verdict_of(const ComparedFile& compared) {
   const std::string text = in_one_line(parts);
   const bool assumed = std::ranges::any_of(
       comparison.cameras, [](const CameraComparison& camera) { return camera.size_assumed && !camera.identical; });
-  return assumed ? text + " (for an assumed image size)" : text;
+  return text + focus_in_words(comparison.cameras) + (assumed ? " (for an assumed image size)" : "");
+}
+
+std::string cancelled_turn_in_words(const CameraComparison& camera) {
+  const Judgement& judgement = camera.decisive().judgement;
+  const ErrorSummary& remains = judgement.error;
+  return camera.other + ": turned by " + angle_text(camera.rotated->angle_rad) +
+         (camera.rotated->distance_m ? " and moved by " + length_text(distance_from_zero(camera.rotated->centre_m)) : "") +
+         ", and its poses turn back: they cancel; " + pixels(remains.rms, camera.size) + " px rms remain" +
+         (remains.max > kSamePx ? " (at most " + pixels(remains.max, camera.size) + " px)" : "") + lost_in_words(judgement);
 }
 
 std::string rotation_in_words(const BestRotation& rotation) {
@@ -210,7 +241,11 @@ std::string rotation_in_words(const BestRotation& rotation) {
     parts.push_back(text::format_short(std::abs(axis.radians) * kDegreesPerRadian, 3) + " " +
                     (axis.radians > 0.0 ? axis.positive : axis.negative));
   }
-  return angle_text(rotation.angle_rad) + (parts.empty() ? "" : ": its rays lie " + enumerated(parts, "and"));
+  const std::string turn = angle_text(rotation.angle_rad) + (parts.empty() ? "" : ": its rays lie " + enumerated(parts, "and"));
+  if (!rotation.distance_m) return turn;
+  const auto millimetres = [&rotation](std::size_t i) { return text::format_short(1000.0 * rotation.centre_m.at(i), 3); };
+  return turn + "; its projection centre is x " + millimetres(0) + ", y " + millimetres(1) + ", z " + millimetres(2) +
+         " mm from REF's, for points " + text::format_short(*rotation.distance_m, 4) + " m away";
 }
 
 }  // namespace fca::cli

@@ -84,7 +84,7 @@ void judge_pixels(const CompareRequest& request, const ReferenceFile& reference,
   const double limit_px = request.max_error_px.value_or(kSamePx);
   for (const CameraComparison& camera : compared.comparison->cameras) {
     if (camera.identical) continue;
-    const Judgement& judgement = camera.difference.judgement;
+    const Judgement& judgement = camera.decisive().judgement;
     constexpr double kNoticeable = 1e-3;
     const double missing = judgement.coverage.unrepresentable;
     if (!(judgement.coverage.scored > 0.0)) {
@@ -162,7 +162,9 @@ ComparedFile compare(const CompareRequest& request, const ReferenceFile& referen
   if (compared.calibration) {
     const CompareOptions options = {.max_angle_rad = request.reference.max_angle_rad,
                                     .every_pixel = request.every_pixel,
-                                    .by_order = request.reference.cameras.has_value()};
+                                    .by_order = request.reference.cameras.has_value(),
+                                    .focus_rad = request.focus_rad,
+                                    .distance_m = request.distance_m};
     compared.comparison = compare(reference.calibration->rig, compared.calibration->rig, options, compared.diagnostics);
     name_poses_as_stated(*compared.calibration, compared.comparison->mistakes);
     compared.pair = pair_error_of(reference.calibration->rig, compared.calibration->rig, *compared.comparison);

@@ -19,7 +19,8 @@ double degrees_apart(double radians) { return without_rounding(radians) * kDegre
 double millimetres_apart(double metres) { return without_rounding(metres) * 1000.0; }
 
 Message facts_of(const PoseComparison& pose) {
-  return {Code::kPoseDiffers, {pose.a, pose.b, degrees_apart(pose.angle_rad), millimetres_apart(pose.distance_m)}};
+  const PoseDistance distance = pose.decisive();
+  return {Code::kPoseDiffers, {pose.a, pose.b, degrees_apart(distance.angle_rad), millimetres_apart(distance.distance_m)}};
 }
 
 Message facts_of(const FactComparison& fact) {

@@ -169,6 +169,128 @@ TEST(CompareCameras, AShiftedCentreIsARotation) {
   EXPECT_LT(result.rotated->difference.judgement.error.rms, 0.1 * result.difference.judgement.error.rms);
 }
 
+/// The lens that sees points at `distance_m` where `camera` sees them, which is turned and moved against it by T: for each ray
+/// of the camera, where it meets the sphere of that radius about the lens.
+Lens lens_beside(const Camera& camera, const Transform& T_camera_lens, double distance_m) {
+  const Transform back = inverse(T_camera_lens).value();
+  const std::array<double, 3> t = translation_of(T_camera_lens);
+  return Lens(
+      [&camera, back, t, distance_m](const Pixel& pixel) -> std::optional<Ray> {
+        const std::optional<Ray> ray = unproject(camera.model, pixel);
+        if (!ray) return std::nullopt;
+        const double along = (*ray)[0] * t[0] + (*ray)[1] * t[1] + (*ray)[2] * t[2];
+        const double square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];
+        const double depth = along + std::sqrt(along * along - square + distance_m * distance_m);
+        Ray point;
+        for (std::size_t i = 0; i < 3; ++i) point[i] = (depth * (*ray)[i] - t[i]) / distance_m;
+        return rotated(back, point);
+      },
+      {central_focal_lengths(camera.model), principal_point(camera.model)});
+}
+
+TEST(CompareCameras, AShiftOfTheProjectionCentreIsFound) {
+  Diagnostics diagnostics;
+  for (const Camera& camera : {tumvi(), euroc(), kalibr_ds()}) {
+    for (const double distance_m : {0.3, 2.0, 50.0}) {
+      for (const double turn : {0.0, 0.02}) {
+        Transform T;
+        T.values = {std::cos(turn),  0, std::sin(turn), 0.004, 0, 1, 0, -0.007,
+                    -std::sin(turn), 0, std::cos(turn), 0.011, 0, 0, 0, 1};
+        const Lens lens = lens_beside(camera, T, distance_m);
+        const std::optional<Domain> domain = domain_of(lens, *camera.image_size, 60.0 * kRadians, "lens", diagnostics);
+        ASSERT_TRUE(domain);
+        const std::optional<Transform> found = internal::best_rotation(lens, camera.model, *domain, distance_m);
+        ASSERT_TRUE(found);
+        for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(found->values[i], T.values[i], 1e-6) << distance_m << " " << i;
+        // Without a distance, it is all a turn.
+        const std::optional<Transform> rotation = internal::best_rotation(lens, camera.model, *domain);
+        ASSERT_TRUE(rotation);
+        for (const int row : {0, 1, 2}) EXPECT_EQ((*rotation)(row, 3), 0.0);
+      }
+    }
+  }
+}
+
+/// The rms over a grid of the image's pixels up to an angle, of points at a distance that T moves.
+double rms_on_grid(const Camera& reference, const Camera& other, double limit_rad, const Transform& T, double distance_m) {
+  double squares = 0.0;
+  int count = 0;
+  for (double u = 0.0; u < reference.image_size->width; u += 4.0) {
+    for (double v = 0.0; v < reference.image_size->height; v += 4.0) {
+      const std::optional<Ray> ray = unproject(reference.model, {u, v});
+      if (!ray || std::acos((*ray)[2]) > limit_rad) continue;
+      Ray point = rotated(T, *ray);
+      for (int i = 0; i < 3; ++i) point[static_cast<std::size_t>(i)] += T(i, 3) / distance_m;
+      const std::optional<Pixel> pixel = project(other.model, point);
+      if (!pixel) continue;
+      squares += std::pow((*pixel)[0] - u, 2) + std::pow((*pixel)[1] - v, 2);
+      ++count;
+    }
+  }
+  return std::sqrt(squares / count);
+}
+
+TEST(CompareCameras, ARotationAndTranslationAreTheBest) {
+  constexpr double kLimit = 40.0 * kRadians;
+  constexpr double kDistance = 1.5;
+  for (const auto& [reference, other] : {std::pair(kalibr_ds(), kalibr_eucm()), std::pair(kalibr_radtan(), kalibr_kb4())}) {
+    const CameraComparison turned = compared(reference, other, {.max_angle_rad = kLimit});
+    const CameraComparison moved = compared(reference, other, {.max_angle_rad = kLimit, .distance_m = kDistance});
+    ASSERT_TRUE(turned.rotated && moved.rotated);
+    EXPECT_EQ(turned.rotated->centre_m, (std::array<double, 3>{}));
+    EXPECT_EQ(moved.rotated->distance_m, kDistance);
+    EXPECT_LE(moved.rotated->difference.judgement.error.rms, 1.001 * turned.rotated->difference.judgement.error.rms);
+    const Transform& T = moved.rotated->T_other_reference;
+    const double best = rms_on_grid(reference, other, kLimit, T, kDistance);
+    EXPECT_NEAR(moved.rotated->difference.judgement.error.rms, best, 0.01 * best);
+    for (const int row : {0, 1, 2}) {
+      for (const double step_m : {-2e-3, 2e-3}) {
+        Transform beside = T;
+        beside(row, 3) += step_m;
+        EXPECT_GT(rms_on_grid(reference, other, kLimit, beside, kDistance), best);
+      }
+    }
+    // Its centre is what T takes to the origin.
+    for (int row = 0; row < 3; ++row) {
+      double element = T(row, 3);
+      for (int i = 0; i < 3; ++i) element += T(row, i) * moved.rotated->centre_m[static_cast<std::size_t>(i)];
+      EXPECT_NEAR(element, 0.0, 1e-12);
+    }
+  }
+}
+
+TEST(CompareCameras, InFocusAreTheRegionsRaysOnly) {
+  for (const auto& [reference, other] : {std::pair(kalibr_ds(), kalibr_radtan()), std::pair(kalibr_kb4(), kalibr_eucm())}) {
+    for (const double degrees : {15.0, 35.0}) {
+      const double limit = degrees * kRadians;
+      const CameraComparison whole = compared(reference, other);
+      const CameraComparison region = compared(reference, other, {.max_angle_rad = limit});
+      const CameraComparison focused = compared(reference, other, {.focus_rad = limit});
+      ASSERT_TRUE(focused.focus && focused.rotated && focused.focus->rotated && region.rotated);
+      EXPECT_NEAR(focused.focus->max_angle_deg, degrees, 1e-9);
+      expect_same(focused.focus->difference.judgement, region.difference.judgement);
+      expect_same(focused.focus->rotated->judgement, region.rotated->difference.judgement);
+      EXPECT_EQ(focused.rotated->T_other_reference, region.rotated->T_other_reference);
+      expect_same(focused.difference.judgement, whole.difference.judgement);
+      EXPECT_EQ(&focused.decisive(), &focused.focus->difference);
+      const double rms = rms_on_grid(reference, other, limit, Transform(), 1.0);
+      EXPECT_NEAR(focused.focus->difference.judgement.error.rms, rms, 0.02 * rms);
+      const double turned = rms_on_grid(reference, other, limit, focused.rotated->T_other_reference, 1.0);
+      EXPECT_NEAR(focused.focus->rotated->judgement.error.rms, turned, 0.02 * turned);
+      EXPECT_GE(rms_on_grid(reference, other, limit, whole.rotated->T_other_reference, 1.0), 0.999 * turned);
+    }
+  }
+}
+
+// The narrower of two limits counts.
+TEST(CompareCameras, FocusEndsWithTheLens) {
+  const CameraComparison result =
+      compared(kalibr_ds(), kalibr_eucm(), {.max_angle_rad = 20.0 * kRadians, .focus_rad = 50.0 * kRadians});
+  ASSERT_TRUE(result.focus);
+  EXPECT_NEAR(result.focus->max_angle_deg, 20.0, 1e-9);
+  expect_same(result.focus->difference.judgement, result.difference.judgement);
+}
+
 TEST(CompareCameras, TheAngleToWhichTheyAreTheSame) {
   Camera other = tumvi();
   ASSERT_TRUE(set_parameter(other.model, "k4", *parameter(other.model, "k4") + 1e-4));

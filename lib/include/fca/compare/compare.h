@@ -15,6 +15,12 @@ struct CompareOptions {
   bool every_pixel = false;                  ///< Score each pixel of the image instead of a lattice.
   bool bound = true;                         ///< Prove ErrorSummary::bound.
   bool by_order = false;                     ///< Cameras are matched by their order, whatever their names.
+  /// (0, pi]: the best rotation is sought, and the verdict made, from rays up to that angle from the reference's axis; the
+  /// errors over the whole domain are reported all the same (CameraComparison::focus). Nothing: from the whole domain.
+  std::optional<double> focus_rad = {};
+  /// > 0: points are so far from the reference's projection centre, and a translation is sought with the best rotation
+  /// (BestRotation). Nothing: points are infinitely far, and there is only a rotation.
+  std::optional<double> distance_m = {};
 };
 
 /// How `other` differs from `reference`: a pixel of the reference, its ray by the reference, and the other's pixel of that ray,

@@ -49,12 +49,22 @@ struct CameraDifference {
   double same_to_deg = 0.0;
 };
 
-/// The rotation with which two cameras come nearest to each other.
+/// The rotation with which two cameras come nearest to each other, for points infinitely far away; at a distance, the rotation
+/// and translation.
 struct BestRotation {
-  Transform T_other_reference;  ///< A rotation: takes the reference's rays to the other's.
+  Transform T_other_reference;  ///< Takes points (rays, without a distance) in the reference's frame to the other's.
   double angle_rad = 0.0;
-  std::array<double, 3> vector_rad{};  ///< Along its axis (x right, y down, z forward), as long as its angle.
-  CameraDifference difference;         ///< With the reference's rays turned by it.
+  std::array<double, 3> vector_rad{};     ///< Along its axis (x right, y down, z forward), as long as its angle.
+  std::optional<double> distance_m = {};  ///< From the reference's projection centre to the points; nothing: infinite.
+  std::array<double, 3> centre_m{};       ///< Where the other's projection centre is, in the reference's frame.
+  CameraDifference difference;            ///< With the reference's rays (points) moved by it.
+};
+
+/// The differences between the rays of a region about the axis.
+struct FocusComparison {
+  double max_angle_deg = 0.0;  ///< From the reference's axis.
+  CameraDifference difference;
+  std::optional<CameraDifference> rotated;  ///< As CameraComparison::rotated.
 };
 
 /// One parameter of two camera models, by its name; of a model that has none of that name, nothing.
@@ -78,7 +88,24 @@ struct CameraComparison {
   bool identical = false;                       ///< Same model, parameters and image size, to the last bit.
   double scored_to_deg = 0.0;                   ///< Nothing further from the axis was scored.
   CameraDifference difference;
-  std::optional<BestRotation> rotated;  ///< Nothing for identical cameras.
+  std::optional<BestRotation> rotated;   ///< Nothing for identical cameras.
+  std::optional<FocusComparison> focus;  ///< If CompareOptions::focus_rad says so.
+  /// The other's poses of this camera turn back by what its lens is turned: together they see the world as the reference's do,
+  /// but for what `rotated` leaves. Only in a comparison of rigs.
+  bool turn_cancels = false;
+
+  /// Of the rays that count: those in focus, or all.
+  [[nodiscard]] const CameraDifference& counted() const { return focus ? focus->difference : difference; }
+  /// The same with the best rotation undone; null where there is none.
+  [[nodiscard]] const CameraDifference* counted_rotated() const;
+  /// What a verdict is about: of the rays that count, and with the best rotation undone where poses cancel it.
+  [[nodiscard]] const CameraDifference& decisive() const { return turn_cancels ? *counted_rotated() : counted(); }
+};
+
+/// How far two poses are apart.
+struct PoseDistance {
+  double angle_rad = 0.0;
+  double distance_m = 0.0;
 };
 
 /// How the same two things sit to each other in the two rigs. T_a_b as each resolves it.
@@ -89,11 +116,15 @@ struct PoseComparison {
   double distance_m = 0.0;          ///< Between the two positions of b in a.
   double reference_length_m = 0.0;  ///< How far b is from a.
   double other_length_m = 0.0;
+  /// With the turns of its cameras that poses cancel (CameraComparison::turn_cancels) taken out; nothing where there is none.
+  std::optional<PoseDistance> remaining = {};
 
   /// Up to 1e-9 rad and m: what remains where one rig states a pose and the other implies it.
   [[nodiscard]] bool same_but_for_rounding() const;
-  /// How far apart they are; 1 is as far as two honest calibrations of one rig may be: 0.5 deg, and 5 mm or 5 % of the
-  /// distance.
+  /// What a verdict is about.
+  [[nodiscard]] PoseDistance decisive() const { return remaining.value_or(PoseDistance{angle_rad, distance_m}); }
+  /// How far apart they are, of decisive(); 1 is as far as two honest calibrations of one rig may be: 0.5 deg, and 5 mm or 5 %
+  /// of the distance.
   [[nodiscard]] double apart() const;
   [[nodiscard]] bool alike() const { return apart() <= 1.0; }
 };

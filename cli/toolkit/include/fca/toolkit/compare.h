@@ -20,6 +20,8 @@ struct CompareRequest {
   std::optional<double> max_error_px;  ///< kRejected if a pixel differs by more.
   bool strict = false;                 ///< kRejected if poses or numbers differ.
   bool every_pixel = false;
+  std::optional<double> focus_rad = {};   ///< Rays up to that angle from the axis count (CompareOptions).
+  std::optional<double> distance_m = {};  ///< Of the points; nothing: infinite (CompareOptions).
 };
 
 /// The reference, as read.
