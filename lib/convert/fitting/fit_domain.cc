@@ -84,10 +84,45 @@ bool reaches(const DomainFit& fit) {
   return fit.fitted.model && fit.fitted.model->reaches_all && fit.score.judgement.coverage.unrepresentable <= kVeryEdge;
 }
 
+/// The fit without the coefficient that bends the radius back, made when it is first asked for.
+class PlainerFit {
+ public:
+  explicit PlainerFit(const FitTask& task) : task_(task), coefficient_(bends_back(task.target.id)) {
+    const auto is_held = [this](const ParameterRange& range) {
+      return range.parameter == *coefficient_ && (range.lower == range.upper || range.lower > 0.0 || range.upper < 0.0);
+    };
+    if (coefficient_ && std::ranges::any_of(task.options.ranges, is_held)) coefficient_.reset();
+  }
+
+  /// Is the plainer fit better over its own cone than one that reaches further?
+  bool is_better_than(const DomainFit& fit) {
+    constexpr double kNeverWorse = 0.5;  // px; one that ends before the whole is nearly at its limit of 1 px
+    if (!coefficient_ || fit.score.judgement.error.rms <= kNeverWorse) return false;
+    if (!made_) make();
+    if (!made_->fitted.model || made_->fitted.reach_rad >= fit.fitted.reach_rad) return false;
+    const Scorer inside(task_.camera.model, &fit.fitted.model->model, nullptr, task_.domain, made_->fitted.reach_rad);
+    return score_on_lattice(inside).judgement.error.rms > made_->score.judgement.error.rms;
+  }
+
+  [[nodiscard]] Micros time() const { return made_ ? made_->time : Micros{}; }
+
+ private:
+  void make() {
+    ConvertOptions options = task_.options;
+    options.ranges.push_back({*coefficient_, 0.0, 0.0});
+    made_ = fit_domain({task_.camera, task_.target, options, task_.domain, task_.centre});
+  }
+
+  const FitTask& task_;
+  std::optional<ParameterId> coefficient_;
+  std::optional<DomainFit> made_;
+};
+
 /// The rule of fit_domain.h, which decides over the whole domain and over each cone.
-bool describes(const FitTask& task, const DomainFit& fit) {
+bool describes(const FitTask& task, const DomainFit& fit, PlainerFit& plainer) {
   constexpr double kLimitRms = 1.0;  // px
-  return reaches(fit) && (!sees_ahead_only(task.target.id) || fit.score.judgement.error.rms <= kLimitRms);
+  if (!reaches(fit)) return false;
+  return !sees_ahead_only(task.target.id) || (fit.score.judgement.error.rms <= kLimitRms && !plainer.is_better_than(fit));
 }
 
 /// The fit inside that angle, judged there.
@@ -101,7 +136,7 @@ DomainFit fit_cone(const FitTask& task, double degrees) {
 
 /// The largest cone narrower than `below_rad` that the target describes, found in steps of 5 degrees and to a degree; failing
 /// that, the widest of the steps that it reaches; failing that, no model.
-DomainFit fit_largest_cone(const FitTask& task, double below_rad) {
+DomainFit fit_largest_cone(const FitTask& task, double below_rad, PlainerFit& plainer) {
   constexpr int kNarrowestDeg = 5;
   constexpr int kStepDeg = 5;
   const int below = static_cast<int>(std::ceil(below_rad / kRadiansPerDegree - 1e-9));
@@ -115,7 +150,7 @@ DomainFit fit_largest_cone(const FitTask& task, double below_rad) {
   for (int good = (below - 1) / kStepDeg * kStepDeg; good >= kNarrowestDeg; good -= kStepDeg) {
     DomainFit cone = try_out(good);
     if (too_few(cone.fitted.samples, task.target)) break;
-    if (!describes(task, cone)) {
+    if (!describes(task, cone, plainer)) {
       if (!best.fitted.model && reaches(cone)) best = std::move(cone);
       continue;
     }
@@ -123,7 +158,7 @@ DomainFit fit_largest_cone(const FitTask& task, double below_rad) {
     for (int bad = std::min(good + kStepDeg, below); bad - good > 1;) {
       const int between = (good + bad) / 2;
       DomainFit wider = try_out(between);
-      const bool is_good = describes(task, wider);
+      const bool is_good = describes(task, wider, plainer);
       (is_good ? good : bad) = between;
       if (is_good) best = std::move(wider);
     }
@@ -140,18 +175,22 @@ bool too_few(std::size_t samples, const ModelInfo& target) { return 2 * samples 
 DomainFit fit_domain(const FitTask& task) {
   const double angle = task.domain.max_angle_rad;
   const bool ahead_only = sees_ahead_only(task.target.id);
+  PlainerFit plainer(task);
   DomainFit result;
   if (!ahead_only || angle < kAhead) {
     result = fit_and_score(task);
-    if (too_few(result.fitted.samples, task.target) || describes(task, result)) return result;
+    if (too_few(result.fitted.samples, task.target) || describes(task, result, plainer)) {
+      result.time += plainer.time();
+      return result;
+    }
   }
   if (!task.options.cone) {
     result.fitted.model.reset();
     return result;
   }
-  DomainFit cone = fit_largest_cone(task, ahead_only ? std::min(angle, kAhead) : angle);
-  const Micros time = result.time + cone.time;
-  if (cone.fitted.model && (!reaches(result) || describes(task, cone))) {
+  DomainFit cone = fit_largest_cone(task, ahead_only ? std::min(angle, kAhead) : angle, plainer);
+  const Micros time = result.time + cone.time + plainer.time();
+  if (cone.fitted.model && (!reaches(result) || describes(task, cone, plainer))) {
     result = std::move(cone);
   } else if (!result.fitted.model) {
     result = fit_and_score(task);  // what sees ahead only, to what of the lens lies there

@@ -48,7 +48,8 @@ struct DomainFit {
 ///
 /// The whole domain or a cone: the largest that the target describes, and "describes" means the same for both.
 /// - What sees ahead only (pinhole, radtan, rational) must have a pixel for every ray and stay under 1 px rms: its error grows
-///   without limit towards 90 degrees, so that there always is an angle beyond which the whole is spoiled for an edge.
+///   without limit towards 90 degrees, so that there always is an angle beyond which the whole is spoiled for an edge. With a
+///   coefficient that bends its radius back (radtan's k3) it must not be worse, over the cone of the fit without it, than that.
 /// - Every other model must have a pixel for every ray, at whatever error: nearly always a fit of it has one, and a limit of
 ///   the error would give up parts of a lens that the user may need; what is lens and what black corner is the user's to say
 ///   (ConvertOptions::max_angle_rad). Where no fit was found that reaches the edge (ucm on a T265's black corners, 123 degrees

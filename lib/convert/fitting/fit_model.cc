@@ -4,6 +4,7 @@
 
 #include "../exact.h"
 #include "fitter.h"
+#include "growing_fit.h"
 #include "jet_target.h"
 
 #include <algorithm>
@@ -29,17 +30,6 @@ std::optional<FittedModel> fit_from_own_starts(std::string_view id, std::span<co
   std::optional<FittedModel> result;
   ModelList::for_each([&]<CameraModelType M>() {
     if (M::kId == id) result = listed<M>(fit_target(JetTarget<M>(), samples, centre, ranges));
-  });
-  return result;
-}
-
-/// The coefficient of a model that a wide lens may be better off without (model_traits.h); nothing if it has none.
-std::optional<ParameterId> bends_back(std::string_view id) {
-  std::optional<ParameterId> result;
-  ModelList::for_each([&]<CameraModelType M>() {
-    if constexpr (requires { M::kBendsBack; }) {
-      if (M::kId == id) result = ParameterId::of<M>(M::kBendsBack);
-    }
   });
   return result;
 }
@@ -94,19 +84,27 @@ std::optional<FittedModel> as_it_is(const CameraModel& model, std::span<const Co
       model);
 }
 
-/// Keeps in `best` the best of itself, a fit from `start`, and `start` as it is.
-void improve_from(const CameraModel& start, std::span<const Correspondence> samples, std::span<const ParameterRange> ranges,
-                  std::optional<FittedModel>& best) {
-  std::optional<FittedModel> fitted = std::visit(
+/// The fit to which that camera leads.
+std::optional<FittedModel> refit(const CameraModel& start, std::span<const Correspondence> samples,
+                                 std::span<const ParameterRange> ranges) {
+  return std::visit(
       [&]<class M>(const Intrinsics<M>& /*model*/) {
         const JetTarget<M> target;
         const LensCentre centre{central_focal_lengths(start), principal_point(start)};
         return listed<M>(Fitter(target, samples, ranges).refit(values_of(start), centre));
       },
       start);
+}
+
+void keep_better(std::optional<FittedModel> fitted, std::optional<FittedModel>& best) {
   if (fitted && better(*fitted, best)) best = std::move(fitted);
-  std::optional<FittedModel> unchanged = as_it_is(start, samples, ranges);
-  if (unchanged && better(*unchanged, best)) best = std::move(unchanged);
+}
+
+/// Keeps in `best` the best of itself, a fit from `start`, and `start` as it is.
+void improve_from(const CameraModel& start, std::span<const Correspondence> samples, std::span<const ParameterRange> ranges,
+                  std::optional<FittedModel>& best) {
+  keep_better(refit(start, samples, ranges), best);
+  keep_better(as_it_is(start, samples, ranges), best);
 }
 
 /// A radius that turns back may do so within a hair of the edge, where samples have no weight: then the fit does not reach
@@ -117,38 +115,31 @@ void ask_every_sample(std::span<const Correspondence> samples, std::optional<Fit
   fitted->reaches_all = std::ranges::all_of(samples, [last](const Correspondence& s) { return angle_from_axis(s.ray) < last; });
 }
 
-bool allows_none(ParameterId coefficient, std::span<const ParameterRange> ranges) {
-  return std::ranges::all_of(ranges, [coefficient](const ParameterRange& range) {
-    return range.parameter != coefficient || (range.lower <= 0.0 && range.upper >= 0.0);
-  });
+/// The best camera of a model with growth conditions whose radius grows as far as the samples, from that start; nothing where
+/// the start's does not.
+std::optional<FittedModel> grow_from(const CameraModel& start, std::span<const Correspondence> samples,
+                                     std::span<const ParameterRange> ranges) {
+  std::optional<FittedModel> result = std::visit(
+      [&]<class M>(const Intrinsics<M>& /*model*/) {
+        const JetTarget<M> target;
+        return listed<M>(fit_growing({target, growth_conditions(M::kId), samples, ranges}, values_of(start)));
+      },
+      start);
+  ask_every_sample(samples, result);
+  return result && result->reaches_all ? result : std::nullopt;
 }
 
-/// Where the radius of the optimum, `turning`, turns back before the last sample, or there is none: the best of what has no
-/// more of a coefficient than lets it grow; nothing if even without it the radius turns back.
-std::optional<FittedModel> bend_less(std::string_view id, ParameterId coefficient, const std::optional<FittedModel>& turning,
-                                     std::span<const Correspondence> samples, const LensCentre& centre,
-                                     std::span<const ParameterRange> ranges) {
-  constexpr int kHalvings = 10;  // of the coefficient, to a thousandth
-  if (!allows_none(coefficient, ranges)) return std::nullopt;
-  std::vector<ParameterRange> fixed(ranges.begin(), ranges.end());
-  fixed.push_back({coefficient, 0.0, 0.0});
-  std::optional<FittedModel> grows = fit_from_own_starts(id, samples, centre, fixed);
-  ask_every_sample(samples, grows);
-  if (!grows || !grows->reaches_all || !turning) return grows;
-  double there = 0.0;
-  double too_far = parameter(turning->model, coefficient).value();
-  for (int i = 0; i < kHalvings && too_far != there; ++i) {
-    const double between = 0.5 * (there + too_far);
-    fixed.back() = {coefficient, between, between};
-    const std::optional<FittedModel> fitted = fit_from(grows->model, samples, fixed);
-    if (fitted && fitted->reaches_all && fitted->rms_px <= grows->rms_px) {
-      there = between;
-      grows = fitted;
-    } else {
-      too_far = between;
-    }
-  }
-  return grows;
+/// The same from a camera without distortion: first without the coefficient that bends the radius back, then with it, so that
+/// one coefficient more is never worse.
+std::optional<FittedModel> grow(std::string_view id, ParameterId bends, std::span<const Correspondence> samples,
+                                const LensCentre& centre, std::span<const ParameterRange> ranges) {
+  const Intrinsics<Pinhole> pinhole{{centre.focal[0], centre.focal[1], centre.point[0], centre.point[1]}};
+  const std::optional<CameraModel> start = convert_nearly(pinhole, id);
+  if (!start) return std::nullopt;
+  std::vector<ParameterRange> without(ranges.begin(), ranges.end());
+  without.push_back({bends, 0.0, 0.0});
+  const std::optional<FittedModel> lower = grow_from(*start, samples, without);
+  return grow_from(lower ? lower->model : *start, samples, ranges);
 }
 
 }  // namespace
@@ -171,6 +162,16 @@ bool has_poles(std::string_view id) {
   return result;
 }
 
+std::optional<ParameterId> bends_back(std::string_view id) {
+  std::optional<ParameterId> result;
+  ModelList::for_each([&]<CameraModelType M>() {
+    if constexpr (requires { M::kBendsBack; }) {
+      if (M::kId == id) result = ParameterId::of<M>(M::kBendsBack);
+    }
+  });
+  return result;
+}
+
 bool may_end_early(std::string_view id) { return has_poles(id) || bends_back(id); }
 
 std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
@@ -178,8 +179,7 @@ std::optional<FittedModel> fit_model(std::string_view id, std::span<const Corres
   std::optional<FittedModel> best = fit_from_own_starts(id, samples, centre, ranges);
   if (reach == Reach::kEverySample) ask_every_sample(samples, best);
   if (const std::optional<ParameterId> bends = bends_back(id); bends && (!best || !best->reaches_all)) {
-    std::optional<FittedModel> grows = bend_less(id, *bends, best, samples, centre, ranges);
-    if (grows && better(*grows, best)) best = std::move(grows);
+    keep_better(grow(id, *bends, samples, centre, ranges), best);
   }
   const std::string_view inner = contained_model(id);
   if (inner.empty() || (best && !may_be_beaten(*best, inner, samples, centre, ranges))) return best;
@@ -203,9 +203,17 @@ std::unique_ptr<FitTarget> fit_target_of(const CameraModel& model) {
 
 std::optional<FittedModel> fit_from(const CameraModel& start, std::span<const Correspondence> samples,
                                     std::span<const ParameterRange> ranges) {
-  std::optional<FittedModel> best;
-  improve_from(start, samples, ranges, best);
+  std::optional<FittedModel> best = refit(start, samples, ranges);
   ask_every_sample(samples, best);
+  const std::string_view id = model_info(start).id;
+  if (const std::optional<ParameterId> bends = bends_back(id); bends && (!best || !best->reaches_all)) {
+    std::optional<FittedModel> grows = grow_from(start, samples, ranges);
+    const LensCentre centre{central_focal_lengths(start), principal_point(start)};
+    keep_better(grows ? std::move(grows) : grow(id, *bends, samples, centre, ranges), best);
+  }
+  std::optional<FittedModel> unchanged = as_it_is(start, samples, ranges);
+  ask_every_sample(samples, unchanged);
+  keep_better(std::move(unchanged), best);
   return best;
 }
 

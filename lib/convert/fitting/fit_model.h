@@ -47,6 +47,9 @@ enum class Reach : std::uint8_t {
 /// May a fit of that model end, at a pole or where its radius turns back, between the outermost sample and the domain's edge?
 [[nodiscard]] bool may_end_early(std::string_view id);
 
+/// The coefficient that may bend the radius of that model back before the edge of a wide lens; nothing if it has none.
+[[nodiscard]] std::optional<ParameterId> bends_back(std::string_view id);
+
 /// What a fit asks of that model.
 [[nodiscard]] std::unique_ptr<FitTarget> fit_target_of(const CameraModel& model);
 

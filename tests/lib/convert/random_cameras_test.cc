@@ -2,6 +2,7 @@
 // Does a fit find the deepest basin, whatever the lens? Seeded random cameras: a few in every run, 1,000 where
 // FCA_ALL_RANDOM_CAMERAS is set (tests/bench/run).
 #include "known_cameras.h"
+#include "random_lens.h"
 #include "sanitized.h"
 
 #include <convert/evaluation/stages.h>
@@ -20,27 +21,18 @@
 #include <cstdlib>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <tuple>
 
 namespace fca {
 namespace {
+
+using test::Random;
 
 /// Sanitizers look at what a run does, not at how well it does on the whole.
 int how_many(int usually) {
   if (std::getenv("FCA_ALL_RANDOM_CAMERAS") != nullptr) return 1000;
   return test::is_sanitized() ? std::max(usually / 5, 1) : usually;
 }
-
-class Random {
- public:
-  explicit Random(unsigned seed) : generator_(seed) {}
-  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
-  int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(generator_); }
-
- private:
-  std::mt19937 generator_;
-};
 
 struct Sampled {
   std::vector<Correspondence> samples;
@@ -292,37 +284,6 @@ bool expect_no_worse_over_pixels(const Camera& camera, Random& random) {
   return std::isfinite(reference);
 }
 
-/// A lens whose image ends between 69 and 89.5 degrees: what sees ahead only bends there as fast as it can.
-Camera wide_camera(Random& random) {
-  for (;;) {
-    const double fx = random.between(150.0, 700.0);
-    const double fy = fx * random.between(0.97, 1.03);
-    const double cx = random.between(290.0, 350.0);
-    const double cy = random.between(210.0, 270.0);
-    const auto model = [&]() -> CameraModel {
-      switch (random.below(4)) {
-        case 0:
-          return Intrinsics<Kb4>{{fx, fy, cx, cy, random.between(-0.1, 0.1), random.between(-0.03, 0.03),
-                                  random.between(-0.01, 0.01), random.between(-0.002, 0.002)}};
-        case 1: {
-          const double xi = random.between(-0.6, 0.3);
-          return Intrinsics<Ds>{{fx * (1.0 + xi), fy * (1.0 + xi), cx, cy, random.between(0.5, 0.8), xi}};
-        }
-        case 2:
-          return Intrinsics<Eucm>{{fx, fy, cx, cy, random.between(0.05, 0.8), random.between(0.5, 2.0)}};
-        default:
-          return Intrinsics<Ucm>{{fx, fy, cx, cy, random.between(0.1, 0.9)}};
-      }
-    };
-    const Camera camera = test::make_camera(model(), {640, 480});
-    Diagnostics diagnostics;
-    const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-    if (!domain) continue;
-    const double angle_deg = domain->max_angle_rad / test::kRadians;
-    if (angle_deg > 69.0 && angle_deg < 89.5) return camera;
-  }
-}
-
 // The samples of a fit may hide what the image shows: here every pixel judges, and the reference is the best over the image.
 TEST(RandomCameras, NoConversionIsWorseOverTheImage) {
   Random random(24);
@@ -334,7 +295,7 @@ TEST(RandomCameras, NoConversionIsWorseOverTheImage) {
     ModelList::for_each([&]<CameraModelType M>() {
       if constexpr (!kIsSkewed<M>) compared += expect_no_worse_over_pixels<M>(plausible, random) ? 1 : 0;
     });
-    compared += expect_no_worse_over_pixels<Rational>(wide_camera(random), random) ? 1 : 0;
+    compared += expect_no_worse_over_pixels<Rational>(test::wide_camera(random), random) ? 1 : 0;
   }
   std::printf("  %d cameras, %d conversions compared\n", 2 * count, compared);
 }

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "growing_fit.h"
+
+#include "fit_limits.h"
+#include "fitter.h"
+#include "linearised.h"
+#include "quadratic_program.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace fca::internal {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// What a condition keeps of its 1 on the axis, so that rounding does not end the camera's domain before the samples do.
+constexpr double kMargin = 1e-6;
+constexpr double kAlmostMargin = 0.5e-6;
+
+/// tan of the largest angle, and a hair; infinite from 90 degrees on.
+double reach_of(std::span<const Correspondence> samples) {
+  constexpr double kHair = 1.0 + 1e-6;
+  double largest = 0.0;
+  for (const Correspondence& s : samples) largest = std::max(largest, angle_from_axis(s.ray));
+  return largest < 0.5 * std::numbers::pi ? std::tan(largest) * kHair : std::numeric_limits<double>::infinity();
+}
+
+/// A plane in the space of the free parameters: the camera must lie at normal . p >= offset.
+struct Plane {
+  VectorXd normal;
+  double offset = 0.0;
+};
+
+class Descent {
+ public:
+  Descent(const GrowingTask& task, const ParameterValues& start)
+      : task_(task),
+        count_(task.target.parameters().size()),
+        limits_(task.target, task.ranges),
+        reach_(reach_of(task.samples)),
+        linearised_(task.target),
+        at_(start) {
+    std::array<bool, kMostParameters> fixed{};
+    for (std::size_t i = 0; i < count_; ++i) {
+      at_[i] = std::clamp(at_[i], limits_.lower[i], limits_.upper[i]);
+      fixed[i] = limits_.fixed(i);
+      if (!fixed[i]) free_.push_back(i);
+    }
+    linearised_.reset({task.samples.begin(), task.samples.end()}, fixed);
+  }
+
+  [[nodiscard]] bool starts_well() const { return std::isfinite(reach_) && !free_.empty() && grows(at_, kAlmostMargin); }
+  [[nodiscard]] const ParameterValues& values() const { return at_; }
+  [[nodiscard]] int iterations() const { return iterations_; }
+
+  void run() {
+    constexpr int kMostSteps = 100;
+    while (iterations_ < kMostSteps && take_step()) ++iterations_;
+  }
+
+ private:
+  [[nodiscard]] Index free_count() const { return static_cast<Index>(free_.size()); }
+
+  [[nodiscard]] bool grows(const ParameterValues& values, double margin) const {
+    return std::ranges::all_of(task_.conditions, [&](GrowthCondition condition) {
+      return minima_below(margin, condition, values.data(), reach_).empty();
+    });
+  }
+
+  [[nodiscard]] VectorXd free_of(const double* values) const {
+    VectorXd result(free_count());
+    for (Index i = 0; i < free_count(); ++i) result[i] = values[free_[static_cast<std::size_t>(i)]];
+    return result;
+  }
+
+  /// The camera at p, within the ranges.
+  [[nodiscard]] ParameterValues values_at(const VectorXd& p) const {
+    ParameterValues values = at_;
+    for (Index i = 0; i < free_count(); ++i) {
+      const std::size_t k = free_[static_cast<std::size_t>(i)];
+      values[k] = std::clamp(p[i], limits_.lower[k], limits_.upper[k]);
+    }
+    return values;
+  }
+
+  /// Cuts off a camera that turns back, by the plane that touches a condition there; false where it does not turn back.
+  bool cut_off(const ParameterValues& values) {
+    constexpr std::size_t kMostPlanes = 200;
+    bool turns = false;
+    for (const GrowthCondition condition : task_.conditions) {
+      for (const double r : minima_below(kAlmostMargin, condition, values.data(), reach_)) {
+        ParameterValues slopes{};
+        const double value = condition(values.data(), r, slopes.data());
+        Plane plane{free_of(slopes.data()), 0.0};
+        plane.offset = kMargin - value + plane.normal.dot(free_of(values.data()));
+        if (plane.normal.isZero(0.0) || planes_.size() >= kMostPlanes) continue;
+        planes_.push_back(std::move(plane));
+        turns = true;
+      }
+    }
+    return turns;
+  }
+
+  /// The step to the lowest point of the quadratic among the cameras of the ranges that no plane cuts off.
+  [[nodiscard]] std::optional<VectorXd> step_among_planes(const MatrixXd& hessian, const VectorXd& gradient) const {
+    const Index n = free_count();
+    const VectorXd here = free_of(at_.data());
+    const auto cuts = static_cast<Index>(planes_.size());
+    MatrixXd normals(2 * n + cuts, n);
+    VectorXd offsets(2 * n + cuts);
+    normals.topRows(n) = MatrixXd::Identity(n, n);
+    normals.middleRows(n, n) = -MatrixXd::Identity(n, n);
+    offsets.head(n) = free_of(limits_.lower.data()) - here;
+    offsets.segment(n, n) = here - free_of(limits_.upper.data());
+    for (Index i = 0; i < cuts; ++i) {
+      const Plane& plane = planes_[static_cast<std::size_t>(i)];
+      normals.row(2 * n + i) = plane.normal.transpose();
+      offsets[2 * n + i] = plane.offset - plane.normal.dot(here);
+    }
+    return minimise_quadratic(hessian, gradient, normals, offsets);
+  }
+
+  /// The same among the cameras that grow.
+  [[nodiscard]] std::optional<VectorXd> step_among_growing(const MatrixXd& hessian, const VectorXd& gradient) {
+    constexpr int kMostCuts = 40;
+    std::optional<VectorXd> step;
+    for (int i = 0; i < kMostCuts; ++i) {
+      step = step_among_planes(hessian, gradient);
+      if (!step || !cut_off(values_at(free_of(at_.data()) + *step))) break;
+    }
+    return step;
+  }
+
+  /// One Gauss-Newton step, halved until it gains; false where there is none, or nobody sees what it gains.
+  bool take_step() {
+    constexpr double kNothing = 1e-9;      // of the cost
+    constexpr double kNobodySees = 1e-20;  // px^2
+    constexpr int kMostHalvings = 20;
+    const Index n = free_count();
+    VectorXd gradient(n);
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> hessian(n, n);
+    NormalEquations sums{0.0, {gradient.data(), free_.size()}, {hessian.data(), free_.size() * free_.size()}};
+    if (!linearised_.evaluate(at_, sums)) return false;
+    hessian.triangularView<Eigen::StrictlyLower>() = hessian.transpose();
+    const std::optional<VectorXd> step = step_among_growing(hessian, gradient);
+    if (!step) return false;
+    const double expected = -(2.0 * gradient.dot(*step) + step->dot(hessian * *step));
+    if (!(expected > kNothing * sums.cost + kNobodySees)) return false;
+    double share = 1.0;
+    for (int halving = 0; halving < kMostHalvings; ++halving, share *= 0.5) {
+      const ParameterValues next = values_at(free_of(at_.data()) + share * *step);
+      NormalEquations cost;
+      if (!grows(next, kAlmostMargin) || !linearised_.evaluate(next, cost) || !(cost.cost < sums.cost)) continue;
+      at_ = next;
+      return sums.cost - cost.cost > kNothing * sums.cost;
+    }
+    return false;
+  }
+
+  const GrowingTask& task_;
+  std::size_t count_;  ///< Of parameters.
+  FitLimits limits_;
+  double reach_;  ///< As far as the radius must grow, tan of the angle.
+  Linearised linearised_;
+  ParameterValues at_;
+  std::vector<std::size_t> free_;  ///< The parameters that may change.
+  std::vector<Plane> planes_;      ///< Every camera that grows is on the right side of all of them.
+  int iterations_ = 0;
+};
+
+}  // namespace
+
+std::optional<FoundFit> fit_growing(const GrowingTask& task, const ParameterValues& start) {
+  Descent descent(task, start);
+  if (!descent.starts_well()) return std::nullopt;
+  descent.run();
+  std::optional<FoundFit> found = Fitter(task.target, task.samples, task.ranges).as_it_is(descent.values());
+  if (found) found->iterations = descent.iterations();
+  return found;
+}
+
+}  // namespace fca::internal

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "growth.h"
+
+#include <fca/models/radtan.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fca::internal {
+
+namespace {
+
+/// 1 + sum of factors[i] k_i r^(2 i) - tangential P r, with P = |(p1, p2)|: the form of both of radtan's conditions.
+double radtan_condition(const std::array<double, 3>& factors, double tangential, const double* p, double r, double* slopes) {
+  constexpr std::array<std::size_t, 3> kRadial = {4, 5, 8};  // k1, k2, k3
+  constexpr std::size_t kP1 = 6;
+  constexpr std::size_t kP2 = 7;
+  const double r2 = r * r;
+  const double length_of_p = length(p[kP1], p[kP2]);
+  if (slopes != nullptr) std::fill_n(slopes, kParameterCount<Radtan>, 0.0);
+  double value = 1.0 - tangential * length_of_p * r;
+  double power = 1.0;
+  for (std::size_t i = 0; i < kRadial.size(); ++i) {
+    power *= r2;
+    value += factors[i] * p[kRadial[i]] * power;
+    if (slopes != nullptr) slopes[kRadial[i]] = factors[i] * power;
+  }
+  // At P = 0 there is a peak, and the plane through it is as good as any.
+  if (slopes != nullptr && length_of_p > 0.0) {
+    for (const std::size_t i : {kP1, kP2}) slopes[i] = -tangential * r * p[i] / length_of_p;
+  }
+  return value;
+}
+
+/// A - 6 P r (radial_tangential.h).
+double radial_slope(const double* p, double r, double* slopes) { return radtan_condition({3.0, 5.0, 7.0}, 6.0, p, r, slopes); }
+
+/// (A + 3 L - 16 P r) / 4.
+double other_azimuths(const double* p, double r, double* slopes) {
+  return radtan_condition({1.5, 2.0, 2.5}, 4.0, p, r, slopes);
+}
+
+/// The lowest place of a function between two that has one bottom there.
+template <class Function>
+double bottom_between(double low, double high, const Function& value_at) {
+  constexpr int kSections = 60;
+  constexpr double kGoldenRatio = 0.6180339887498949;
+  double left = high - kGoldenRatio * (high - low);
+  double right = low + kGoldenRatio * (high - low);
+  double of_left = value_at(left);
+  double of_right = value_at(right);
+  for (int i = 0; i < kSections; ++i) {
+    if (of_left < of_right) {
+      high = right;
+      right = left;
+      of_right = of_left;
+      of_left = value_at(left = high - kGoldenRatio * (high - low));
+    } else {
+      low = left;
+      left = right;
+      of_left = of_right;
+      of_right = value_at(right = low + kGoldenRatio * (high - low));
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+std::span<const GrowthCondition> growth_conditions(std::string_view model) {
+  static constexpr std::array<GrowthCondition, 2> kOfRadtan = {radial_slope, other_azimuths};
+  return model == Radtan::kId ? std::span<const GrowthCondition>(kOfRadtan) : std::span<const GrowthCondition>();
+}
+
+std::vector<double> minima_below(double limit, GrowthCondition condition, const double* p, double furthest) {
+  constexpr int kSteps = 64;     // a polynomial of degree 6 bends no faster
+  constexpr double kNear = 0.1;  // between two steps it falls by less
+  const auto value_at = [&](double r) { return condition(p, r, nullptr); };
+  const auto place = [&](int i) { return furthest * std::clamp(i, 0, kSteps) / kSteps; };
+  std::vector<double> minima;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double here = value_at(place(i));
+    if (here > limit + kNear || value_at(place(i - 1)) < here || value_at(place(i + 1)) < here) continue;
+    double lowest = bottom_between(place(i - 1), place(i + 1), value_at);
+    // At an end the bottom is the end itself.
+    if (here < value_at(lowest)) lowest = place(i);
+    if (value_at(lowest) < limit) minima.push_back(lowest);
+  }
+  return minima;
+}
+
+}  // namespace fca::internal
