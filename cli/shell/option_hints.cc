@@ -318,6 +318,10 @@ constexpr std::array kHints = {
     OptionHint{Code::kRectifyNoValidPart, text::Part::kFix, "check the pose, or ask for a view of a width: --pinhole 90"},
     OptionHint{Code::kRectifyCentresDiffer, text::Part::kFix, "--alpha 0 or --pinhole DEG computes another view"},
     OptionHint{Code::kRectifyModelNotKnown, text::Part::kFix, "--to orbslam3 writes settings for rectified images"},
+    OptionHint{
+        Code::kOrbslam3LacksRectifiedPair, text::Part::kText,
+        "rectified images (fca-io rectify --to orbslam2 writes their settings): before V1.0 the settings of pinhole cameras "
+        "have no place for the pose between two lenses"},
     OptionHint{Code::kRectificationDropped, text::Part::kFix, "fca-io rectify --to orbslam3, ros or opencv writes it"},
     OptionHint{Code::kRectificationOfOtherImages, text::Part::kFix, "fca-io rectify computes another one"},
     OptionHint{Code::kFileExists, text::Part::kText, "{0} exists; --force overwrites it"},

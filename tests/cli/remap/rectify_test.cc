@@ -172,6 +172,47 @@ TEST(Rectify, MapsAreOpenCvs) {
   }
 }
 
+/// What cv::remap shows of an image of gradients.
+cv::Mat1b shown(const cv::Mat1b& image, const cv::Mat& map1, const cv::Mat& map2) {
+  cv::Mat1b seen;
+  cv::remap(image, seen, map1, map2, cv::INTER_LINEAR);
+  return seen;
+}
+
+TEST(Rectify, MapsOfOpenCvShowTheSame) {
+  const Pair pair = wide();
+  cv::Mat1b image(pair.size);
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) image(v, u) = static_cast<std::uint8_t>((u + v) / 8 + 20);
+  }
+  // Above a million pixels the text is compressed.
+  for (const cv::Size size : {pair.size, cv::Size(1024, 1024)}) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("chain.yaml", chain(pair));
+    const auto written = [&](const std::string& format, const std::string& name) {
+      const Told told({"rectify", file, "--map-format", format, "--out-size", cv::format("%dx%d", size.width, size.height), "-o",
+                       folder / (format + "/")});
+      EXPECT_EQ(told.code(), 0) << told.text();
+      EXPECT_TRUE(std::string(told.json()["maps"][0].GetString()).ends_with(name));
+      return folder / (format + "/" + name);
+    };
+    const std::string extension = size.area() > 1'000'000 ? ".yml.gz" : ".yml";
+    const cv::Mat2f map = read_npy(written("npy", "left_map.npy"), size.width, size.height);
+    const cv::Mat1b expected = shown(image, map, cv::Mat());
+    for (const std::string format : {"float", "fixed"}) {
+      const cv::FileStorage storage(written(format, "left_map" + extension), cv::FileStorage::READ);
+      ASSERT_TRUE(storage.isOpened());
+      cv::Mat map1;
+      cv::Mat map2;
+      storage["map1"] >> map1;
+      storage["map2"] >> map2;
+      EXPECT_EQ(map1.type(), format == "float" ? CV_32FC1 : CV_16SC2);
+      EXPECT_EQ(map2.type(), format == "float" ? CV_32FC1 : CV_16UC1);
+      EXPECT_LE(cv::norm(shown(image, map1, map2), expected, cv::NORM_INF), format == "float" ? 0.0 : 1.0);
+    }
+  }
+}
+
 TEST(Rectify, RotationsAreOpenCvsInEitherOrder) {
   const Pair pair = narrow();
   const TemporaryFolder folder;
@@ -447,6 +488,29 @@ TEST(Rectify, StereoFeelsAFit) {
   EXPECT_LE(pair_of("kb4"), 1e-6);
   EXPECT_GT(pair_of("ucm"), 1e-3);
   EXPECT_LT(pair_of("ds"), pair_of("ucm"));
+}
+
+TEST(Rectify, StereoFeelsLessOfAFitOfBoth) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("chain.yaml", chain(wide()));
+  const auto told = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"convert", file, "--to", "kalibr", "--model", "eucm", "--max-angle", "95", "--dry-run"};
+    words.insert(words.end(), more.begin(), more.end());
+    return Told(words);
+  };
+  const Told separate = told({});
+  const Told together = told({"--pair"});
+  ASSERT_EQ(together.code(), 0) << together.text();
+  EXPECT_TRUE(together.says("pair-fitted"));
+  EXPECT_LT(together.json()["pair"]["epipolar_rms_px"].GetDouble(),
+            0.8 * separate.json()["pair"]["epipolar_rms_px"].GetDouble());
+  EXPECT_EQ(told({"--pair", "--absorb-rotation"}).code(), 2);
+  EXPECT_EQ(told({"--pair", "--fix", "alpha=0.6"}).code(), 2);
+  EXPECT_EQ(told({"--pair", "--objective", "max"}).code(), 2);
+  EXPECT_EQ(told({"--pair", "--camera", "cam0"}).code(), 2);
+  const Told kept({"convert", file, "--to", "kalibr", "--pair", "--dry-run"});
+  EXPECT_EQ(kept.code(), 0) << kept.text();
+  EXPECT_TRUE(kept.says("pair-fit-does-not-help"));
 }
 
 TEST(Rectify, RefusesWhatIsNoPair) {
