@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matches.h"
 
+#include <fca/rectify/rectify.h>
 #include <fca/rig/rotation.h>
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -9,91 +12,98 @@ namespace fca::internal {
 
 namespace {
 
-constexpr double kFar = 10.0;  // baselines
+using Eigen::Vector3d;
 
-/// One rectified image.
-class View {
- public:
-  View(const Camera& camera, const RectifiedPair& pair, std::size_t view)
-      : camera_(camera),
-        size_(*pair.size),
-        model_(rectified_camera(pair, view, size_).model),
-        T_rectified_camera_(pair.views.at(view).T_rectified_camera),
-        across_(pair.is_vertical ? 0 : 1) {}
-
-  [[nodiscard]] bool shows(const Ray& ray) const {
-    const std::optional<Pixel> pixel = project(model_, rotated(T_rectified_camera_, ray));
-    return pixel && size_.holds(*pixel);
+Eigen::Matrix3d rotation_in(const Transform& T) {
+  Eigen::Matrix3d R;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) R(row, column) = T(row, column);
   }
-  /// By central differences; nothing where a neighbour has no ray.
-  [[nodiscard]] std::optional<Eigen::RowVector2d> row_slope(const Pixel& pixel) const {
-    constexpr double kStep = 0.25;  // px
-    Eigen::RowVector2d slope;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      Pixel before = pixel;
-      Pixel after = pixel;
-      before.at(axis) -= kStep;
-      after.at(axis) += kStep;
-      const std::optional<double> row_before = row_of(before);
-      const std::optional<double> row_after = row_of(after);
-      if (!row_before || !row_after) return std::nullopt;
-      slope[static_cast<Eigen::Index>(axis)] = (*row_after - *row_before) / (2.0 * kStep);
-    }
-    return slope;
-  }
-
- private:
-  [[nodiscard]] std::optional<double> row_of(const Pixel& pixel) const {
-    const std::optional<Ray> ray = unproject(camera_.model, pixel);
-    const std::optional<Pixel> rectified = ray ? project(model_, rotated(T_rectified_camera_, *ray)) : std::nullopt;
-    return rectified ? std::optional(rectified->at(across_)) : std::nullopt;
-  }
-
-  const Camera& camera_;
-  ImageSize size_;
-  CameraModel model_;
-  Transform T_rectified_camera_;
-  std::size_t across_;
-};
-
-Ray unit(const std::array<double, 3>& direction) {
-  const double length = std::hypot(direction[0], direction[1], direction[2]);
-  return {direction[0] / length, direction[1] / length, direction[2] / length};
+  return R;
 }
 
-/// Where the camera shows a ray, if it counts there.
-std::optional<Pixel> counted_pixel(const CameraOfPair& of_pair, const Ray& ray) {
+Vector3d vector_of(const std::array<double, 3>& ray) { return {ray[0], ray[1], ray[2]}; }
+
+/// Where the camera shows a unit ray, if it counts there.
+std::optional<Pixel> counted_pixel(const CameraOfPair& of_pair, const Vector3d& ray) {
   if (std::atan2(std::hypot(ray[0], ray[1]), ray[2]) > of_pair.domain.max_angle_rad) return std::nullopt;
-  if (!project(*of_pair.start, ray)) return std::nullopt;
-  const std::optional<Pixel> pixel = project(of_pair.camera->model, ray);
+  const Ray direction = {ray[0], ray[1], ray[2]};
+  if (!project(*of_pair.start, direction)) return std::nullopt;
+  const std::optional<Pixel> pixel = project(of_pair.camera->model, direction);
   return pixel && of_pair.domain.size.holds(*pixel) && of_pair.domain.is_lit(*pixel) ? pixel : std::nullopt;
 }
 
-void add_match(const std::array<View, 2>& views, const Correspondence& first, const Correspondence& second, Matches& matches) {
-  if (!views[0].shows(first.ray) || !views[1].shows(second.ray)) return;
-  const std::optional<Eigen::RowVector2d> first_slope = views[0].row_slope(first.pixel);
-  const std::optional<Eigen::RowVector2d> second_slope = views[1].row_slope(second.pixel);
-  if (!first_slope || !second_slope) return;
+/// The unit ray of a pixel along `normal`: its derivatives by u and v; nothing where a neighbour has no ray.
+std::optional<Eigen::RowVector2d> slope_along(const CameraModel& model, const Pixel& pixel, const Vector3d& normal) {
+  constexpr double kStep = 0.25;  // px
+  Eigen::RowVector2d slope;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    Pixel before = pixel;
+    Pixel after = pixel;
+    before.at(axis) -= kStep;
+    after.at(axis) += kStep;
+    const std::optional<Ray> ray_before = unproject(model, before);
+    const std::optional<Ray> ray_after = unproject(model, after);
+    if (!ray_before || !ray_after) return std::nullopt;
+    slope[static_cast<Eigen::Index>(axis)] = normal.dot(vector_of(*ray_after) - vector_of(*ray_before)) / (2.0 * kStep);
+  }
+  return slope;
+}
+
+/// The rows of the rectified images [px of the images' middle], which are columns where one camera stands above the other.
+class Rows {
+ public:
+  Rows(const std::array<CameraOfPair, 2>& cameras, const RectifyingRotations& rotations)
+      : across_(rotations.is_vertical ? 0 : 1),
+        R_rectified_camera_{rotation_in(rotations.T_rectified_camera[0]), rotation_in(rotations.T_rectified_camera[1])} {
+    for (const CameraOfPair& each : cameras)
+      focal_length_ += 0.5 * central_focal_lengths(each.camera->model).at(static_cast<std::size_t>(across_));
+  }
+
+  /// d row / d ray for a unit ray of a camera; nothing where it cannot be rectified.
+  [[nodiscard]] std::optional<Vector3d> slope(std::size_t camera, const Vector3d& ray) const {
+    const Vector3d rectified = R_rectified_camera_.at(camera) * ray;
+    const double depth = rectified[2];
+    if (!(depth >= std::cos(0.5 * kWidestRectifiedView))) return std::nullopt;
+    const Vector3d slope = Vector3d::Unit(across_) / depth - rectified[across_] / (depth * depth) * Vector3d::UnitZ();
+    return focal_length_ * (R_rectified_camera_.at(camera).transpose() * slope);
+  }
+
+ private:
+  int across_;
+  std::array<Eigen::Matrix3d, 2> R_rectified_camera_;
+  double focal_length_ = 0.0;
+};
+
+void add_match(const std::array<CameraOfPair, 2>& cameras, const Rows& rows, const Correspondence& first, const Vector3d& seen,
+               Matches& matches) {
+  const std::optional<Pixel> pixel = counted_pixel(cameras[1], seen);
+  const std::optional<Vector3d> first_slope = rows.slope(0, vector_of(first.ray));
+  const std::optional<Vector3d> second_slope = rows.slope(1, seen);
+  if (!pixel || !first_slope || !second_slope) return;
+  const std::optional<Eigen::RowVector2d> here = slope_along(cameras[0].camera->model, first.pixel, *first_slope);
+  const std::optional<Eigen::RowVector2d> there = slope_along(cameras[1].camera->model, *pixel, *second_slope);
+  if (!here || !there) return;
   matches.seen[0].push_back(first);
-  matches.seen[1].push_back(second);
-  matches.row_slopes[0].push_back(*first_slope);
-  matches.row_slopes[1].push_back(*second_slope);
+  matches.seen[1].push_back({{seen[0], seen[1], seen[2]}, *pixel, first.weight});
+  matches.slopes[0].push_back(-*here);
+  matches.slopes[1].push_back(*there);
 }
 
 }  // namespace
 
-Matches matches_of(const std::array<CameraOfPair, 2>& cameras, const Transform& T_second_first, const RectifiedPair& pair) {
-  const std::array<View, 2> views = {View(*cameras[0].camera, pair, 0), View(*cameras[1].camera, pair, 1)};
-  const double distance_m = kFar * distance_of(T_second_first);
-  const std::array<double, 3> t = translation_of(T_second_first);
+Matches matches_of(const std::array<CameraOfPair, 2>& cameras, const Transform& T_second_first) {
+  constexpr double kNear = 10.0;  // baselines
   Matches matches;
+  const std::optional<RectifyingRotations> rotations = rectifying_rotations(T_second_first);
+  if (!rotations) return matches;
+  const Rows rows(cameras, *rotations);
+  const Eigen::Matrix3d R = rotation_in(T_second_first);
+  const Vector3d shift = vector_of(translation_of(T_second_first)).normalized() / kNear;
   for (const Correspondence& first : cameras[0].samples) {
-    const Ray turned = rotated(T_second_first, first.ray);
-    const Ray near = unit({distance_m * turned[0] + t[0], distance_m * turned[1] + t[1], distance_m * turned[2] + t[2]});
-    for (const Ray& ray : {turned, near}) {
-      const std::optional<Pixel> pixel = counted_pixel(cameras[1], ray);
-      if (pixel) add_match(views, first, {ray, *pixel, first.weight}, matches);
-    }
+    const Vector3d far_away = R * vector_of(first.ray);
+    for (const Vector3d& seen : {far_away, Vector3d((far_away + shift).normalized())})
+      add_match(cameras, rows, first, seen, matches);
   }
   double sum = 0.0;
   for (const Correspondence& each : matches.seen[0]) sum += each.weight;

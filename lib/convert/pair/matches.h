@@ -4,7 +4,7 @@
 
 #include <fca/convert/domain.h>
 #include <fca/convert/lens.h>
-#include <fca/rectify/rectify.h>
+#include <fca/rig/transform.h>
 
 #include <Eigen/Core>
 
@@ -17,8 +17,8 @@ namespace fca::internal {
 /// Rays and pixels of both cameras, one for one. The weights of each list sum to 1.
 struct Matches {
   std::array<std::vector<Correspondence>, 2> seen;
-  /// d row / d pixel in the rectified image, [rows of it / pixels of the camera's image].
-  std::array<std::vector<Eigen::RowVector2d>, 2> row_slopes;
+  /// By how many rows the two rectified images of a match come to differ for each pixel by which that camera is off in u and v.
+  std::array<std::vector<Eigen::RowVector2d>, 2> slopes;
 };
 
 /// A camera and where it counts.
@@ -29,9 +29,8 @@ struct CameraOfPair {
   std::vector<Correspondence> samples;  ///< Of the domain.
 };
 
-/// Of points in the directions of the first camera's samples, at infinity and at ten baselines. Empty where no rectified image
-/// shows what both see.
-[[nodiscard]] Matches matches_of(const std::array<CameraOfPair, 2>& cameras, const Transform& T_second_first,
-                                 const RectifiedPair& pair);
+/// Of points in the directions of the first camera's samples, at infinity and at ten baselines, up to 60 deg from both axes.
+/// Empty where both see nothing in common, or stand at one place.
+[[nodiscard]] Matches matches_of(const std::array<CameraOfPair, 2>& cameras, const Transform& T_second_first);
 
 }  // namespace fca::internal

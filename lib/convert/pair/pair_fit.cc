@@ -115,12 +115,12 @@ class Problem {
     return own;
   }
 
-  /// The rows by which matches are off in one rectified image; `numbers`: columns or residuals of the camera's pixels.
+  /// What one camera's pixels add to the rows by which matches differ; `numbers`: columns or residuals of these.
   [[nodiscard]] MatrixXd rows_of(std::size_t i, const Eigen::Ref<const MatrixXd>& numbers) const {
-    const auto count = static_cast<Index>(matches_.row_slopes.at(i).size());
+    const auto count = static_cast<Index>(matches_.slopes.at(i).size());
     MatrixXd rows(count, numbers.cols());
     for (Index k = 0; k < count; ++k) {
-      const Eigen::RowVector2d& slope = matches_.row_slopes.at(i)[static_cast<std::size_t>(k)];
+      const Eigen::RowVector2d& slope = matches_.slopes.at(i)[static_cast<std::size_t>(k)];
       rows.row(k) = slope[0] * numbers.row(k) + slope[1] * numbers.row(count + k);
     }
     return rows;
@@ -146,9 +146,8 @@ class Problem {
       const std::optional<PixelJacobian> matched = slopes(i, states.at(i), matches_.seen.at(i));
       if (!own || !matched) return false;
       add(own->columns, own->residuals, unknowns_.at(i).first);
-      const double sign = i == 0 ? -kWeightOfRows : kWeightOfRows;
-      rows.middleCols(unknowns_.at(i).first, unknowns_.at(i).count()) = sign * rows_of(i, matched->columns);
-      differences += sign * rows_of(i, matched->residuals);
+      rows.middleCols(unknowns_.at(i).first, unknowns_.at(i).count()) = kWeightOfRows * rows_of(i, matched->columns);
+      differences += kWeightOfRows * rows_of(i, matched->residuals);
     }
     add(rows, differences, 0);
     if (sums.gradient.empty()) return true;
@@ -214,16 +213,11 @@ std::optional<PairFit> fit_pair(const std::array<SeparateFit, 2>& cameras, const
   if (std::ranges::any_of(cameras, [](const SeparateFit& each) { return each.conversion.report.exact; })) return std::nullopt;
   const std::array<State, 2> start = {State{cameras[0].conversion.camera.model}, State{cameras[1].conversion.camera.model}};
   const std::optional<PairError> before = error_of(cameras, start, T_second_first);
-  Diagnostics unheard;  // who asks has not asked for a rectification
-  RectifyOptions options;
-  options.valid_regions = false;
-  const std::optional<RectifiedPair> rectified =
-      rectify(cameras[0].source, cameras[1].source, T_second_first, options, unheard);
   std::optional<CameraOfPair> first = of_pair(cameras[0]);
   std::optional<CameraOfPair> second = of_pair(cameras[1]);
-  if (!before || !rectified || !first || !second) return std::nullopt;
+  if (!before || !first || !second) return std::nullopt;
   const std::array<CameraOfPair, 2> counted = {*std::move(first), *std::move(second)};
-  const Matches matches = internal::matches_of(counted, T_second_first, *rectified);
+  const Matches matches = internal::matches_of(counted, T_second_first);
   if (matches.seen[0].empty()) return std::nullopt;
 
   struct Candidate {

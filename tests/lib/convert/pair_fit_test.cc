@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A pair fitted together against the two separate fits: what stereo feels is computed here from the epipolar constraint alone,
-// without a rectification.
+// A pair fitted together against the two separate fits: what stereo feels is computed here without our rectification.
 #include "known_cameras.h"
 
 #include <fca/convert/domain.h>
@@ -97,16 +96,19 @@ Matrix3d turn_of(const Conversion& conversion) {
   return conversion.report.turn ? rotation_in(conversion.report.turn->T_target_source) : Matrix3d::Identity();
 }
 
-/// Root mean square distance of a match's ray from its epipolar plane, in pixels of the middle: of matches at infinity and of
-/// near ones the larger. Rays within 50 deg of both axes.
+/// Root mean square of the rows by which matches differ in images whose rows are parallel to the baseline, in pixels of the
+/// middle: of matches at infinity and of near ones the larger. Rays within 60 deg of the rectified axis.
 double epipolar_rms(const Pair& pair, const Conversions& conversions) {
   constexpr int kSteps = 60;
   const auto& [first, second] = pair.cameras;
   const Matrix3d R = rotation_in(pair.T_second_first);
   const Vector3d t = translation_in(pair.T_second_first);
   const Matrix3d R_meant = turn_of(conversions[1]) * R * turn_of(conversions[0]).transpose();
-  const Vector3d t_meant = (turn_of(conversions[1]) * t).normalized();
-  const double focal = central_focal_lengths(first.model)[1];
+  const Vector3d across = (turn_of(conversions[1]) * t).normalized();
+  const Vector3d axis = Vector3d::UnitZ() + R_meant * Vector3d::UnitZ();
+  const Vector3d ahead = (axis - axis.dot(across) * across).normalized();
+  const Vector3d down = ahead.cross(across);
+  const double focal = 0.5 * (central_focal_lengths(first.model)[1] + central_focal_lengths(second.model)[1]);
   std::array<double, 2> worst{};
   for (std::size_t k = 0; k < 2; ++k) {
     double sum = 0.0;
@@ -120,13 +122,13 @@ double epipolar_rms(const Pair& pair, const Conversions& conversions) {
         const Vector3d x = k == 0 ? Vector3d(R * vector(*ray)) : Vector3d(10.0 * t.norm() * (R * vector(*ray)) + t);
         const std::optional<Pixel> match = project(second.model, Ray{x[0], x[1], x[2]});
         if (!match || !second.image_size->holds(*match)) continue;
-        constexpr double kCounted = 0.64;  // cos 50 deg
-        if ((*ray)[2] < kCounted || x.normalized()[2] < kCounted) continue;
         const std::optional<Ray> here = unproject(conversions[0].camera.model, pixel);
         const std::optional<Ray> there = unproject(conversions[1].camera.model, *match);
         if (!here || !there) continue;
-        const Vector3d normal = t_meant.cross(Vector3d(R_meant * vector(*here))).normalized();
-        const double off = focal * std::asin(normal.dot(vector(*there).normalized()));
+        const Vector3d a = R_meant * vector(*here);
+        const Vector3d b = vector(*there);
+        if (a.dot(ahead) < 0.5 * a.norm() || b.dot(ahead) < 0.5 * b.norm()) continue;
+        const double off = focal * (b.dot(down) / b.dot(ahead) - a.dot(down) / a.dot(ahead));
         sum += off * off;
         ++count;
       }
@@ -171,8 +173,9 @@ TEST(PairFit, TurnsWhereLensesAreTilted) {
     const Camera& source = pair.cameras.at(i);
     double sum = 0.0;
     int count = 0;
-    for (double u = 0.0; u < source.image_size->width; u += 8.0) {
-      for (double v = 0.0; v < source.image_size->height; v += 8.0) {
+    constexpr double kStep = 4.0;
+    for (double u = 0.5 * (kStep - 1.0); u < source.image_size->width; u += kStep) {
+      for (double v = 0.5 * (kStep - 1.0); v < source.image_size->height; v += kStep) {
         const Ray ray = unproject(source.model, {u, v}).value();
         const Vector3d turned = turn_of(conversion) * vector(ray);
         const Pixel pixel = project(conversion.camera.model, {turned[0], turned[1], turned[2]}).value();

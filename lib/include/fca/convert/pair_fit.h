@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Both cameras of a stereo pair fitted together, to what stereo feels: by how much the two images of a point miss each other's
-// row after rectification.
+// Both cameras of a stereo pair fitted together, to what stereo feels: the error across epipolar lines.
 #pragma once
 
 #include <fca/convert/convert.h>
@@ -24,11 +23,11 @@ struct PairFit {
   PairError after;
 };
 
-/// Starts at the two fits and minimises the sum of squares of both cameras' pixel errors and, nine times as much, of the rows
-/// by which matches differ, at infinity and at ten baselines. A difference is that of the cameras' errors along the normal of
-/// the epipolar line: what both have in common goes unfelt. The cameras are turned, too, where that makes the difference at
-/// least a tenth smaller than a fit without turns. Nothing where nothing was fitted, where the pair cannot be rectified, or
-/// where the difference does not become smaller.
+/// Starts at the two fits and minimises the sum of squares of both cameras' pixel errors and, nine times as much, of the rows by
+/// which matches differ after rectification, of points at infinity and at ten baselines, up to 60 deg from the rectified axes.
+/// What both cameras are off alike makes no difference. The cameras are turned, too, where that makes the pair's error (PairError)
+/// at least a tenth smaller than a fit without turns. Nothing where a camera's conversion is exact, where the pair cannot be
+/// rectified, or where the pair's error does not become smaller.
 [[nodiscard]] std::optional<PairFit> fit_pair(const std::array<SeparateFit, 2>& cameras, const Transform& T_second_first);
 
 }  // namespace fca
