@@ -94,7 +94,8 @@ std::vector<std::string> candidates(std::string_view type, std::span<const std::
 }
 
 bool is_path_type(std::string_view type) {
-  constexpr std::array<std::string_view, 7> kPaths = {"FILE", "BASE", "PATH", "PNG", "NPY", "IMAGE", "[CAMERA=]IMAGE"};
+  constexpr std::array<std::string_view, 8> kPaths = {"FILE", "BASE",  "PATH",           "PNG",
+                                                      "NPY",  "IMAGE", "[CAMERA=]IMAGE", "pixel|angle|IMAGE"};
   return std::ranges::find(kPaths, type) != kPaths.end();
 }
 

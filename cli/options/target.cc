@@ -120,6 +120,12 @@ std::optional<std::string> take_objective(const std::string& word, Objective& ta
   return std::nullopt;
 }
 
+/// A file of that name is ./pixel.
+void take_weight(const std::string& word, ConvertRequest& request) {
+  request.weight = word == "pixel" ? WeightKind::kPixel : word == "angle" ? WeightKind::kAngle : WeightKind::kImage;
+  request.weight_image = request.weight == WeightKind::kImage ? word : "";
+}
+
 }  // namespace
 
 void add_to_option(Options& options, const std::string& help, ConvertRequest& request) {
@@ -146,6 +152,14 @@ void add_target_options(Options& options, ConvertRequest& request) {
   options.value("--objective", "rms|max",
                 "What a fit makes small: rms, or max, the error of the worst pixel (the report says what that costs in rms)",
                 [&request](const std::string& word) { return take_objective(word, request.objective); });
+  options.value("--weight", "pixel|angle|IMAGE",
+                "What counts how much in the rms that a fit makes small: each pixel alike (default), each direction alike (by "
+                "solid angle), or each pixel by the grey of an image of the camera's size (white: most, black: nothing)",
+                [&request](const std::string& word) -> std::optional<std::string> {
+                  if (word.empty()) return "--weight wants pixel, angle or an image";
+                  take_weight(word, request);
+                  return std::nullopt;
+                });
   options.value("--degree", "N|auto",
                 "Of " + degrees_in_words("'s polynomial, ") + " (default: auto, the lowest that is nearly as good as any)",
                 [&request](const std::string& word) { return take_degree(word, request.degree); });
@@ -203,6 +217,8 @@ std::optional<std::string> problem_with(const ConvertRequest& request) {
     return "--absorb-rotation is fitted for the rms only; leave out --objective max";
   if (request.fit_pair && !request.into.empty())
     return "--pair may turn the cameras, and the poses of BASE would be those of the old ones: leave out one of both";
+  if (request.weight != WeightKind::kPixel && request.objective != Objective::kRms)
+    return "--weight is about the rms, the largest error has no weight: leave out --objective max";
   const Message problem = request.to != nullptr ? without_use(request, *request.to) : Message{};
   return problem.is_said() ? std::optional(text::text_of(problem, with_options)) : std::nullopt;
 }

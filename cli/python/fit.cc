@@ -8,11 +8,12 @@ namespace fca::python {
 
 namespace {
 
-Fit fit_to_camera(const Camera& source, const ModelInfo& model, const std::optional<double>& max_angle_rad,
-                  Objective objective) {
+Fit fit_to_camera(const Camera& source, const ModelInfo& model, const std::optional<double>& max_angle_rad, Objective objective,
+                  WeightKind weight) {
   ConvertOptions options;
   options.model = model.id;
   options.objective = objective;
+  options.weight.kind = weight;
   options.max_angle_rad = max_angle_rad;
   Diagnostics diagnostics;
   std::optional<Conversion> conversion;
@@ -26,17 +27,20 @@ Fit fit_to_camera(const Camera& source, const ModelInfo& model, const std::optio
 
 /// A Camera, a function from pixels to rays, or (rays, pixels).
 Fit fit(const py::object& source, const std::string& model, const std::optional<double>& max_angle,
-        const std::string& objective, const std::optional<Size>& image_size) {
+        const std::string& objective, const std::optional<Size>& image_size, const std::string& weight) {
   if (objective != "rms" && objective != "max") raise_value_error("objective is 'rms' or 'max'");
+  if (weight != "pixel" && weight != "angle") raise_value_error("weight is 'pixel' or 'angle'");
   const ModelInfo& info = model_named(model);
   if (max_angle && !(*max_angle > 0.0)) raise_value_error("max_angle is a positive number of degrees");
   const std::optional<double> max_angle_rad = radians(max_angle);
   if (py::isinstance<Camera>(source)) {
     if (image_size) raise_value_error("a Camera has its image_size");
     return fit_to_camera(source.cast<const Camera&>(), info, max_angle_rad,
-                         objective == "max" ? Objective::kMax : Objective::kRms);
+                         objective == "max" ? Objective::kMax : Objective::kRms,
+                         weight == "angle" ? WeightKind::kAngle : WeightKind::kPixel);
   }
   if (objective != "rms") raise_value_error("objective 'max' wants a Camera");
+  if (weight != "pixel") raise_value_error("weight 'angle' wants a Camera");
   if (py::isinstance<py::function>(source)) {
     if (!image_size) raise_value_error("a function wants an image_size");
     return fit_to_function(source.cast<py::function>(), info, *image_size, max_angle_rad);
@@ -62,6 +66,10 @@ void add_fit(py::module_& module) {
       .def_readonly("camera", &Fit::camera)
       .def_property_readonly("error", [](const Fit& fit) { return fit.report.judgement.error; })
       .def_property_readonly(
+          "weighted_rms",
+          [](const Fit& fit) { return fit.report.weighted ? std::optional(fit.report.weighted->rms_px) : std::nullopt; },
+          "With weight='angle': the root mean square by solid angle, which the fit made small, in pixels.")
+      .def_property_readonly(
           "exact", [](const Fit& fit) { return fit.report.exact; },
           "The model contains the source: the same pixels by construction.")
       .def_property_readonly(
@@ -74,12 +82,13 @@ void add_fit(py::module_& module) {
           "max_angle", [](const Fit& fit) { return fit.report.scored_to_deg; },
           "Degrees from the axis up to which it was compared.");
   module.def("fit", &fit, py::arg("source"), py::arg("model"), py::arg("max_angle") = py::none(), py::arg("objective") = "rms",
-             py::kw_only(), py::arg("image_size") = py::none(),
+             py::kw_only(), py::arg("image_size") = py::none(), py::arg("weight") = "pixel",
              R"(Fits a model, without images, at the least-squares optimum in pixels.
 
 source: a Camera, whose whole image counts; a function from pixels (N, 2) to rays (N, 3), with NaN where it sees nothing, over
 an image of image_size = (width, height); or a pair of arrays (rays, pixels), each row of which counts alike. max_angle: degrees
-from the axis that count as lens. objective: 'rms', or 'max' for the smallest largest error of a Camera. Only a Camera's error
+from the axis that count as lens. objective: 'rms', or 'max' for the smallest largest error of a Camera. weight: 'pixel', or
+'angle' for a Camera's directions to count alike. Only a Camera's error
 has a bound: a function and a table are known at points alone.)");
 }
 

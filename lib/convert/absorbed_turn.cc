@@ -3,10 +3,10 @@
 
 #include "evaluation/stages.h"
 #include "fitting/turn.h"
+#include "sampling/weights.h"
 
 #include <fca/code.h>
 #include <fca/convert/judge.h>
-#include <fca/convert/sample.h>
 #include <fca/rig/rotation.h>
 
 #include <algorithm>
@@ -22,7 +22,16 @@ namespace {
 std::vector<Correspondence> samples_for_turn(const FitTask& task, double reach_rad, int count) {
   Domain domain = task.domain;
   domain.max_angle_rad = std::min(domain.max_angle_rad, reach_rad);
-  return sample(task.camera.model, domain, count);
+  return weighted_samples(task.options.weight, task.camera.model, domain, count).samples;
+}
+
+/// Is what the fit makes small smaller with the turn?
+bool is_better(const FitTask& task, const DomainFit& straight, const TurnedFit& turned, double rms_straight_px,
+               double rms_turned_px) {
+  const FitWeight& weight = task.options.weight;
+  if (counts_alike(weight)) return rms_turned_px < rms_straight_px;
+  return weighted_rms(weight, task.camera.model, turned.fitted.model, task.domain, straight.fitted.reach_rad,
+                      &turned.T_target_source) < straight.rms_px;
 }
 
 }  // namespace
@@ -41,7 +50,8 @@ void absorb_turn(const FitTask& task, const DegreeFit& fit, Conversion& conversi
     Judgement judgement = judge_all(scorer, score_on_lattice(scorer), {task.options.every_pixel, false});
     const ErrorSummary& before = report.judgement.error;
     constexpr double kSameShare = 1e-3;
-    if (judgement.error.rms < before.rms && judgement.coverage.scored >= report.judgement.coverage.scored - kSameShare) {
+    if (is_better(task, fit.fit, *turned, before.rms, judgement.error.rms) &&
+        judgement.coverage.scored >= report.judgement.coverage.scored - kSameShare) {
       report.turn = AbsorbedTurn{turned->T_target_source, before.rms, before.max};
       report.judgement = std::move(judgement);
       report.at_bound = turned->fitted.at_bound;

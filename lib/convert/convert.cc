@@ -8,6 +8,7 @@
 #include "fitting/fit_domain.h"
 #include "fitting/fixed_parameters.h"
 #include "fitting/minimax.h"
+#include "sampling/weights.h"
 #include "table_conversion.h"
 
 #include <fca/code.h>
@@ -191,12 +192,40 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
                                               each.usual[1], each.rms_inside_px, conversion.report.judgement.error.rms});
   if (task.options.absorb_turn) {
     internal::absorb_turn(task, chosen, conversion, diagnostics);
-  } else {
+  } else if (internal::counts_alike(task.options.weight)) {
     conversion.report.turn_offer = internal::offered_turn(task, chosen, conversion.report.judgement.error.rms);
   }
   if (task.options.objective == Objective::kMax) cut_worst_pixel(task, fitted.reach_rad, chosen.ranges, conversion);
   conversion.report.scored_to_deg = scored_to_deg(task, conversion.camera.model, fitted.reach_rad);
   return conversion;
+}
+
+/// Is there an image as large as the camera's, that counts any of its pixels?
+bool is_usable(const FitWeight& weight, const Camera& camera, const Domain& domain, Diagnostics& diagnostics) {
+  if (weight.kind != WeightKind::kImage) return true;
+  const ImageSize size = weight.density != nullptr ? ImageSize{weight.density->width, weight.density->height} : ImageSize{0, 0};
+  if (size != domain.size) {
+    diagnostics.add(Code::kImageOfOtherSize, {size.width, size.height, camera.name, domain.size.width, domain.size.height,
+                                              Message{Code::kGiveCalibratedSize}});
+    return false;
+  }
+  if (internal::counts_any(*weight.density, camera.model, domain)) return true;
+  diagnostics.add(Code::kWeightsBlack, {camera.name});
+  return false;
+}
+
+/// The error that the weights make of the conversion's; nothing where pixels count alike by request.
+std::optional<WeightedRms> weighted_error(const Camera& camera, const FitWeight& weight, const Conversion& conversion,
+                                          const Domain& domain) {
+  if (weight.kind == WeightKind::kPixel) return std::nullopt;
+  const ConversionReport& report = conversion.report;
+  if (internal::counts_alike(weight)) return WeightedRms{weight.kind, report.judgement.error.rms};
+  // What is not scored does not count; the last ray of the domain does.
+  constexpr double kSlack = 1.0 + 1e-9;
+  const double reach_rad = kSlack * report.scored_to_deg * kRadiansPerDegree;
+  const Transform* turn = report.turn ? &report.turn->T_target_source : nullptr;
+  return WeightedRms{weight.kind,
+                     internal::weighted_rms(weight, camera.model, conversion.camera.model, domain, reach_rad, turn)};
 }
 
 /// Are ranges and samples what a fit can work with?
@@ -214,6 +243,10 @@ bool usable(const ConvertOptions& options, const ModelInfo& target, Diagnostics&
   }
   if (options.absorb_turn && options.objective != Objective::kRms) {
     diagnostics.add(Code::kTurnedForRms);
+    return false;
+  }
+  if (options.weight.kind != WeightKind::kPixel && options.objective != Objective::kRms) {
+    diagnostics.add(Code::kWeightedForRms);
     return false;
   }
   std::vector<ParameterRange> asked = options.ranges;
@@ -259,7 +292,9 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   warn_of_odd_camera(camera, domain->size, diagnostics);
   const LensCentre centre{central_focal_lengths(camera.model), principal_point(camera.model)};
   const double stretch = stretch_on_axis(camera.model);
-  const ConvertOptions reasonable = within_reason(*fixed, stretch, *target);
+  ConvertOptions reasonable = within_reason(*fixed, stretch, *target);
+  if (!is_usable(options.weight, camera, *domain, diagnostics)) return std::nullopt;
+  if (internal::counts_alike(options.weight)) reasonable.weight = {};
   const FitTask task{camera, *target, reasonable, *domain, centre};
 
   std::optional<Conversion> conversion = exact_conversion(task);
@@ -278,6 +313,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   if (!options.max_angle_rad && !camera.lens_circle) warn_of_fold(camera, conversion->report.judgement.coverage, diagnostics);
   conversion->report.from_model = model_info(camera.model).id;
   conversion->report.to_model = target->id;
+  conversion->report.weighted = weighted_error(camera, options.weight, *conversion, *domain);
   if (options.reach) conversion->report.reach = reach_table(camera, options, conversion->report, diagnostics);
   if (!(conversion->report.judgement.coverage.scored > 0.0)) {
     diagnostics.add(Code::kNoPartCompared, {camera.name, target->id});

@@ -127,6 +127,10 @@ std::optional<Conversion> convert_table(const Camera& camera, const ModelInfo& t
     diagnostics.add(Code::kRaysFittedForRms, {camera.name});
     return std::nullopt;
   }
+  if (options.weight.kind != WeightKind::kPixel) {
+    diagnostics.add(Code::kRaysCountAlike, {camera.name});
+    return std::nullopt;
+  }
   const Table table = of_domain(camera, options);
   if (const double share = share_behind(table); share > kFewBehind) {
     diagnostics.add(Code::kRaysAllAround, {camera.name, 100.0 * share});

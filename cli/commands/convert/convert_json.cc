@@ -47,6 +47,12 @@ void put_report(Json& json, const ConversionReport& report) {
   } else {
     json.null("rms_fit");
   }
+  if (report.weighted) {
+    json.object("weighted", [&] {
+      json.put("weight", report.weighted->kind == WeightKind::kAngle ? "angle" : "image");
+      json.put("rms_px", report.weighted->rms_px);
+    });
+  }
   if (report.turn) {
     json.object("turn", [&] {
       json.put("vector_rad", rotation_vector(report.turn->T_target_source));

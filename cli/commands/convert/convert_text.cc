@@ -99,6 +99,14 @@ std::string objective_text(const ConversionReport& report) {
          pixels(report.rms_fit->rms_px) + " -> " + pixels(error.rms) + " px\n";
 }
 
+/// What a fit with weights made small.
+std::string weight_text(const ConversionReport& report) {
+  if (!report.weighted) return "";
+  return "  weight: rms " + pixels(report.weighted->rms_px) + " px " +
+         (report.weighted->kind == WeightKind::kAngle ? "by solid angle" : "by the image's grey") +
+         ", which the fit made small\n";
+}
+
 std::string report_text(const ConversionReport& report, const Format& to, const CameraModel& target) {
   const Judgement& j = report.judgement;
   std::string text = domain_text(j.coverage);
@@ -108,7 +116,7 @@ std::string report_text(const ConversionReport& report, const Format& to, const 
     text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) +
             ", 99 % " + pixels(j.error.p99) + "\n";
   }
-  text += objective_text(report) + band_table(j.bands) + reach_text(report.reach);
+  text += weight_text(report) + objective_text(report) + band_table(j.bands) + reach_text(report.reach);
   if (!report.at_bound.empty())
     text += "  at the edge of its range: " + enumerated(report.at_bound) + why_at_bound(report, to, target) + "\n";
   return text;

@@ -57,9 +57,10 @@ void add_commands(const ConvertArguments& arguments, const TypedOptions& typed, 
   }
 }
 
-/// The images that show where the lens ends are not written over.
-void keep_images(const Inputs& inputs, ConvertOutcome& outcome) {
-  const KeptInputs images(inputs);
+/// The images that show where the lens ends, or what counts, are not written over.
+void keep_images(const ConvertRequest& request, ConvertOutcome& outcome) {
+  KeptInputs images(request.inputs);
+  images.add(std::span(&request.weight_image, 1));
   for (const ConvertedFile& file : outcome.files) {
     if (!images.hold(file.path)) continue;
     outcome.diagnostics.add(Code::kOverwritesInput, {file.path});
@@ -83,7 +84,7 @@ ConvertOutcome convert_input(const std::string& input, const ConvertArguments& a
   static_cast<ConvertResult&>(outcome) = convert(request, files);
   name_as_written(outcome);
   outcome.input = input;
-  keep_images(request.inputs, outcome);
+  keep_images(request, outcome);
   add_commands(arguments, typed, outcome);
   outcome.code = exit_code(outcome.status);
   return outcome;

@@ -44,8 +44,9 @@ ExitCode put(const ReportArguments& arguments, const std::string& page, Console&
     console.out(page);
     return ExitCode::kGood;
   }
-  if (const std::optional<std::string> problem = KeptInputs(console, arguments.request.conversion.inputs).problem_with(path))
-    return console.refuse(ExitCode::kUsage, *problem);
+  KeptInputs inputs(console, arguments.request.conversion.inputs);
+  inputs.add(std::span(&arguments.request.conversion.weight_image, 1));
+  if (const std::optional<std::string> problem = inputs.problem_with(path)) return console.refuse(ExitCode::kUsage, *problem);
   const OutputFile file{path, page};
   if (const std::optional<Message> failure = put_files(std::span(&file, 1), arguments.force, console))
     return console.refuse(ExitCode::kIo, text::text_of(*failure, with_options));

@@ -49,6 +49,7 @@ ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice)
   options.max_angle_rad = choice.request.inputs.max_angle_rad;
   options.every_pixel = choice.request.every_pixel;
   options.objective = choice.request.objective;
+  options.weight = {choice.request.weight, choice.request.density};
   options.cone = choice.partial == Partial::kCone;
   if (find_model(stored.model)->least_degree > 0) options.degree = choice.request.degree;
   options.ranges = ranges_of(stored, choice);
@@ -124,7 +125,7 @@ Merit merit_of(const std::vector<ConvertedCamera>& outcomes, Objective objective
     if (!outcome.report) continue;
     merit.unrepresentable += outcome.report->judgement.coverage.unrepresentable;
     const ErrorSummary& error = outcome.report->judgement.error;
-    merit.square_sum += std::pow(objective == Objective::kMax ? error.max : error.rms, 2);
+    merit.square_sum += std::pow(objective == Objective::kMax ? error.max : outcome.report->fitted_rms_px(), 2);
   }
   return merit;
 }

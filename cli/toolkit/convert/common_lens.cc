@@ -55,7 +55,7 @@ bool share_lens(const ConvertRequest& request, const Format& to, std::size_t hel
   const std::array<CameraModel, kPair> own = {cameras[0].target.model, cameras[1].target.model};
   const std::vector<CameraModel> before = with_lens_of_first(own);
   const std::optional<std::vector<CameraModel>> after =
-      fit_common_lens(sources, own, request.inputs.max_angle_rad, diagnostics);
+      fit_common_lens(sources, own, request.inputs.max_angle_rad, diagnostics, {request.weight, request.density});
   if (!after) {
     if (!diagnostics.has_errors()) diagnostics.add(Code::kFitFailed, {sources[1].name, model_info(own[1]).id});
     return false;

@@ -4,6 +4,7 @@
 #include "convert/pair_errors.h"
 #include "convert/start.h"
 #include "convert/stray_ray.h"
+#include "convert/weight_image.h"
 #include "convert/writing.h"
 #include "models/model_advice.h"
 
@@ -220,10 +221,12 @@ bool write_where_settings_fit(const ConvertRequest& request, const Start& start,
   return true;
 }
 
-bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
+bool run(const ConvertRequest& asked, Files& files, ConvertResult& result) {
   Start start;
   std::jthread programs;
+  ConvertRequest request = asked;
   if (!read_start(request, files, start, programs, result)) return false;
+  if (!read_weight_image(start.input.rig, files, request, result.diagnostics)) return false;
   if (!has_sigmas(request, start.input.rig, result)) return false;
   const ConvertResult before = result;
   const bool is_written = write_as_asked(request, start, result);

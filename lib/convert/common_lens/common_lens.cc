@@ -3,9 +3,9 @@
 
 #include "../fitting/minimise.h"
 #include "../fitting/pixel_jacobian.h"
+#include "../sampling/weights.h"
 
 #include <fca/convert/domain.h>
-#include <fca/convert/sample.h>
 
 #include <Eigen/Core>
 
@@ -119,13 +119,15 @@ std::vector<CameraModel> with_lens_of_first(std::span<const CameraModel> models)
 }
 
 std::optional<std::vector<CameraModel>> fit_common_lens(std::span<const Camera> sources, std::span<const CameraModel> start,
-                                                        std::optional<double> max_angle_rad, Diagnostics& diagnostics) {
+                                                        std::optional<double> max_angle_rad, Diagnostics& diagnostics,
+                                                        const FitWeight& weight) {
   Samples samples;
+  const FitWeight counted = internal::counts_alike(weight) ? FitWeight() : weight;
   for (const Camera& source : sources) {
     const std::optional<Domain> domain = domain_of(source, max_angle_rad, diagnostics);
     if (!domain) return std::nullopt;
     constexpr int kSamples = 800;
-    samples.push_back(sample(source.model, *domain, kSamples));
+    samples.push_back(internal::weighted_samples(counted, source.model, *domain, kSamples).samples);
   }
   // From each camera's lens.
   std::optional<Found> best;

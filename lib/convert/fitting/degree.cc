@@ -63,7 +63,7 @@ int rays_at_border(const DegreeFit& each, const ImageSize& size) {
   return rays;
 }
 
-double rms_of(const DegreeFit& each) { return each.fit.score.judgement.error.rms; }
+double rms_of(const DegreeFit& each) { return each.fit.rms_px; }
 
 }  // namespace
 

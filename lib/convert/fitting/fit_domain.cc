@@ -2,8 +2,7 @@
 #include "fit_domain.h"
 
 #include "../sampling/edge_samples.h"
-
-#include <fca/convert/sample.h>
+#include "../sampling/weights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +20,11 @@ constexpr double kAhead = std::numbers::pi / 2.0;
 
 /// Fits the target to about `count` samples of the domain: from its own starts, or where one to fewer samples ended.
 SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = nullptr) {
-  std::vector<Correspondence> samples = sample(task.camera.model, task.domain, count);
+  WeightedSamples weighted = weighted_samples(task.options.weight, task.camera.model, task.domain, count);
+  std::vector<Correspondence>& samples = weighted.samples;
   SampledFit result;
-  result.samples = samples.size();
-  if (!too_few(samples.size(), task.target)) {
+  result.samples = weighted.counted;
+  if (!too_few(weighted.counted, task.target)) {
     if (may_end_early(task.target.id)) add_edge(task.camera.model, task.domain, samples);
     result.model = coarser != nullptr
                        ? fit_from(coarser->model, samples, task.options.ranges)
@@ -36,10 +36,16 @@ SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = null
 /// How many times worse, or better, the model is over the image than on the samples of its fit; 1 if nobody sees the
 /// difference. One that bends faster than they lie (rational beyond 70 degrees) can be twice as bad, and one that is better was
 /// fitted to the few of them that are the worst.
-double other_than_on_samples(const Judgement& judgement, const FittedModel& fitted) {
+double other_than_on_samples(double rms_px, const FittedModel& fitted) {
   constexpr double kNobodySees = 1e-6;  // px
-  const auto [less, more] = std::minmax(judgement.error.rms, fitted.rms_px);
+  const auto [less, more] = std::minmax(rms_px, fitted.rms_px);
   return !fitted.reaches_all || more <= less + kNobodySees ? 1.0 : more / less;
+}
+
+/// What the fit makes small, over the image.
+double rms_of(const FitTask& task, const SampledFit& fitted, const Judgement& judgement) {
+  if (counts_alike(task.options.weight)) return judgement.error.rms;
+  return weighted_rms(task.options.weight, task.camera.model, fitted.model->model, task.domain, fitted.reach_rad);
 }
 
 /// The fit to the domain, its error being that of the image: on more samples, while that helps. Not scored where it does not
@@ -63,16 +69,17 @@ DomainFit fit_and_score(const FitTask& task) {
     Score score = score_on_lattice({task.camera.model, &finer.model->model, nullptr, task.domain, finer.reach_rad});
     const Judgement& judgement = score.judgement;
     const Judgement& before = result.score.judgement;
-    const bool helps = is_first || judgement.coverage.scored > before.coverage.scored + 1e-3 ||
-                       judgement.error.rms < kHelps * before.error.rms;
-    const double unlike = other_than_on_samples(judgement, *finer.model);
+    const double rms_px = rms_of(task, finer, judgement);
+    const bool helps = is_first || judgement.coverage.scored > before.coverage.scored + 1e-3 || rms_px < kHelps * result.rms_px;
+    const double unlike = other_than_on_samples(rms_px, *finer.model);
     const bool misses_edge = judgement.coverage.unrepresentable > kVeryEdge;
     if (helps) {
       result.fitted = std::move(finer);
       result.score = std::move(score);
+      result.rms_px = rms_px;
     }
     // Poles lie where they fit the samples, and samples and image may agree by chance.
-    if (is_first && has_poles(task.target.id) && judgement.error.rms > kNobodySees) continue;
+    if (is_first && has_poles(task.target.id) && rms_px > kNobodySees) continue;
     if (unlike <= (helps ? kAlike : kVeryUnlike) && !(helps && misses_edge)) break;
   }
   return result;
@@ -122,7 +129,7 @@ class PlainerFit {
 bool describes(const FitTask& task, const DomainFit& fit, PlainerFit& plainer) {
   constexpr double kLimitRms = 1.0;  // px
   if (!reaches(fit)) return false;
-  return !sees_ahead_only(task.target.id) || (fit.score.judgement.error.rms <= kLimitRms && !plainer.is_better_than(fit));
+  return !sees_ahead_only(task.target.id) || (fit.rms_px <= kLimitRms && !plainer.is_better_than(fit));
 }
 
 /// The fit inside that angle, judged there.
@@ -199,6 +206,7 @@ DomainFit fit_domain(const FitTask& task) {
   if (const std::optional<FittedModel>& model = result.fitted.model) {
     // A cone was scored as if the domain ended with it.
     result.score = score_on_lattice({task.camera.model, &model->model, nullptr, task.domain, result.fitted.reach_rad});
+    result.rms_px = rms_of(task, result.fitted, result.score.judgement);
   }
   return result;
 }

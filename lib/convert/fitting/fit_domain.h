@@ -35,7 +35,8 @@ struct SampledFit {
 /// The fit that a conversion reports, what the judge's lattice says of it, and how long the search took.
 struct DomainFit {
   SampledFit fitted;
-  Score score;  ///< Empty without a model.
+  Score score;          ///< Empty without a model.
+  double rms_px = 0.0;  ///< What the fit made small, over the image: of `score`, or weighted as the options say.
   std::chrono::duration<double, std::micro> time{};
 };
 

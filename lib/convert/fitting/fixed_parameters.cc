@@ -28,9 +28,7 @@ DomainFit fit_with(const FitTask& task, double f) {
 }
 
 /// What the search makes small.
-double cost_of(const DomainFit& fit) {
-  return fit.fitted.model ? fit.score.judgement.error.rms : std::numeric_limits<double>::infinity();
-}
+double cost_of(const DomainFit& fit) { return fit.fitted.model ? fit.rms_px : std::numeric_limits<double>::infinity(); }
 
 /// From `middle` downhill in steps that double, until it goes up again. In mei and ds f and xi change together, and the valley
 /// is long.

@@ -27,7 +27,7 @@ std::vector<UnusualParameter> unusual_of(const CameraModel& model, std::span<con
   return found;
 }
 
-double rms_of(const DomainFit& fit) { return fit.score.judgement.error.rms; }
+double rms_of(const DomainFit& fit) { return fit.rms_px; }
 
 bool costs_nothing(const DomainFit& inside, const DomainFit& free) {
   constexpr double kNextToNothing = 1.01;

@@ -15,11 +15,11 @@ namespace fca {
 [[nodiscard]] std::vector<CameraModel> with_lens_of_first(std::span<const CameraModel> models);
 
 /// The least-squares fit, in pixels over the cameras' domains, of models with common lens parameters to the sources, each with
-/// its own focal lengths and principal point. The cameras count alike. `start`: one model for each source, all of one kind, to
-/// begin with. Nothing, with an error, where a source has no domain or a step leads nowhere.
+/// its own focal lengths and principal point. The cameras count alike, their pixels by `weight`. `start`: one model for each
+/// source, all of one kind, to begin with. Nothing, with an error, where a source has no domain or a step leads nowhere.
 [[nodiscard]] std::optional<std::vector<CameraModel>> fit_common_lens(std::span<const Camera> sources,
                                                                       std::span<const CameraModel> start,
                                                                       std::optional<double> max_angle_rad,
-                                                                      Diagnostics& diagnostics);
+                                                                      Diagnostics& diagnostics, const FitWeight& weight = {});
 
 }  // namespace fca

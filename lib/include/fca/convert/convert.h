@@ -2,6 +2,7 @@
 // One camera as another model would describe it. Steps, each in its own file: domain -> sample -> fit -> judge.
 #pragma once
 
+#include <fca/convert/fit_weight.h>
 #include <fca/convert/parameter_range.h>
 #include <fca/convert/report.h>
 #include <fca/diagnostics.h>
@@ -23,6 +24,7 @@ struct ConvertOptions {
   FixedParameters fixed = {};
   bool absorb_turn = false;  ///< A turn of the camera is fitted, too (ConversionReport::turn); for Objective::kRms.
   Objective objective = Objective::kRms;
+  FitWeight weight = {};     ///< Of Objective::kRms: what counts how much in the sum of squares.
   bool cone = true;          ///< What cannot describe the whole domain is fitted to a cone of it; else to nothing: an error.
   bool every_pixel = false;  ///< The report counts each pixel instead of a lattice.
   bool bound = true;         ///< The report proves ErrorSummary::bound.
@@ -37,9 +39,10 @@ struct Conversion {
   ConversionReport report;
 };
 
-/// Converts `camera` to another model at the least-squares optimum in pixels over its domain, or, with Objective::kMax, at the
-/// camera near it whose largest error is smallest; that one reaches every ray which the least-squares fit reaches. The same
-/// model, and a model that contains the source (ucm -> eucm, pinhole -> radtan, ...), are exact.
+/// Converts `camera` to another model at the least-squares optimum in pixels over its domain, weighted by options.weight, or,
+/// with Objective::kMax, at the camera near it whose largest error is smallest; that one reaches every ray which the
+/// least-squares fit reaches. The same model, and a model that contains the source (ucm -> eucm, pinhole -> radtan, ...), are
+/// exact.
 ///
 /// Where the target cannot describe the whole domain, it is fitted to the largest cone around the axis that it can describe,
 /// with a warning. To describe means to have a pixel for every ray, but for the very edge (a thousandth of the image), without
@@ -47,7 +50,8 @@ struct Conversion {
 /// fitted to all that they reach, at whatever error (ucm from a lens of 360 degrees: 3.7 px rms inside 136 degrees from the
 /// axis): a wider domain never scores less of the image, and options.max_angle_rad buys a better fit nearer the axis.
 ///
-/// Errors: unknown model, no image size, parameters that are no camera, a domain without pixels.
+/// Errors: unknown model, no image size, parameters that are no camera, a domain without pixels, an image of weights of another
+/// size or that counts none of them.
 [[nodiscard]] std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics);
 
 /// Whether the model's parameters lie within the ranges.

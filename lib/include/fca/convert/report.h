@@ -2,6 +2,7 @@
 // How good a conversion is, measured where people need it: pixel -> ray by the source -> pixel by the target.
 #pragma once
 
+#include <fca/convert/fit_weight.h>
 #include <fca/message.h>
 #include <fca/models/camera_model.h>
 #include <fca/rig/lens_circle.h>
@@ -89,6 +90,12 @@ enum class Objective : std::uint8_t {
   kMax,  ///< The largest error of the domain.
 };
 
+/// The error that a weighted fit makes small.
+struct WeightedRms {
+  WeightKind kind = WeightKind::kPixel;
+  double rms_px = 0.0;  ///< Root mean square of the errors over the scored part, by those weights.
+};
+
 /// The least-squares fit from which the search for a smaller largest error set out: what that cost in rms, and what it gained.
 struct RmsFit {
   double rms_px = 0.0;
@@ -140,13 +147,17 @@ struct ConversionReport {
   FitSummary fit;
   int degree = 0;  ///< Of the polynomial that was fitted; 0: the target is none, or nothing was fitted.
   Objective objective = Objective::kRms;
-  std::optional<RmsFit> rms_fit;      ///< Of a fit for the largest error.
-  std::vector<std::string> at_bound;  ///< Parameters that ended at the edge of their range.
+  std::optional<WeightedRms> weighted = {};  ///< Where pixels do not count alike; Judgement has the errors of all pixels.
+  std::optional<RmsFit> rms_fit;             ///< Of a fit for the largest error.
+  std::vector<std::string> at_bound;         ///< Parameters that ended at the edge of their range.
   std::vector<UnusualParameter> unusual;
   std::optional<AbsorbedTurn> turn;                  ///< Only if asked for, and where it helps.
   std::optional<TurnOffer> turn_offer;               ///< Where nobody asked, and it would take a fifth off a visible error.
   std::optional<PixelUncertainty> uncertainty = {};  ///< Where it is known (uncertainty.h).
   std::vector<ReachRow> reach;  ///< Only if asked for, and where the lens's angle matters and nothing states it (reach.h).
+
+  /// The root mean square that the fit made small.
+  [[nodiscard]] double fitted_rms_px() const { return weighted ? weighted->rms_px : judgement.error.rms; }
 };
 
 }  // namespace fca

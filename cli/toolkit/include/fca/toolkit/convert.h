@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -85,6 +86,9 @@ struct ConvertRequest {
   bool rewrite = false;                ///< A fresh file even where a text could be edited.
   std::string extension;  ///< As in the written file's path, with its point. Formats with several syntaxes go by it.
   Objective objective = Objective::kRms;
+  WeightKind weight = WeightKind::kPixel;         ///< Of Objective::kRms: what counts how much in a fit.
+  std::string weight_image;                       ///< Path of the image of WeightKind::kImage, as large as the new images.
+  std::shared_ptr<const GreyImage> density = {};  ///< That image; null: it is read.
   std::optional<int> degree;  ///< Of a fitted polynomial (ocamcalib); nothing: the lowest that is nearly as good as any.
   FixedParameters fixed;      ///< Of the fitted models.
   bool absorb_turn = false;   ///< A turn of each camera is fitted, too, and written into its poses; for Objective::kRms.

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "weights.h"
+
+#include <fca/convert/sample.h>
+#include <fca/rig/rotation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace fca::internal {
+
+namespace {
+
+/// Of the brightest; an error of 30 px there costs as much as one of 0.001 px where it is white.
+constexpr double kBlack = 1e-9;
+
+double brightest(const GreyImage& image) { return *std::ranges::max_element(image.samples); }
+
+/// Bilinear between the pixels' centres. Exact where neighbours are the same.
+double grey_at(const GreyImage& image, const Pixel& pixel) {
+  const auto place = [](double position, int size) {
+    const double inside = std::clamp(position, 0.0, size - 1.0);
+    const double first = std::min(std::floor(inside), std::max(0.0, size - 2.0));
+    return std::pair(static_cast<std::size_t>(first), inside - first);
+  };
+  const auto [u, along_u] = place(pixel[0], image.width);
+  const auto [v, along_v] = place(pixel[1], image.height);
+  const auto width = static_cast<std::size_t>(image.width);
+  const std::size_t right = image.width > 1 ? 1 : 0;
+  const std::size_t below = image.height > 1 ? width : 0;
+  const std::size_t at = v * width + u;
+  const auto along_row = [&image, right, along_u](std::size_t i) {
+    const double left = image.samples[i];
+    return left + along_u * (image.samples[i + right] - left);
+  };
+  const double upper = along_row(at);
+  return upper + along_v * (along_row(at + below) - upper);
+}
+
+/// The difference of the rays beside a pixel along u or v, per pixel; nothing where the lens has none.
+std::optional<Ray> ray_per_pixel(const Lens& source, const Pixel& pixel, const Ray& ray, std::size_t axis) {
+  constexpr double kStep = 0.02;  // px
+  const auto beside = [&](double step) {
+    Pixel place = pixel;
+    place[axis] += step;
+    return source.ray(place);
+  };
+  const std::optional<Ray> after = beside(kStep);
+  const std::optional<Ray> before = beside(-kStep);
+  if (!after && !before) return std::nullopt;
+  const Ray& to = after ? *after : ray;
+  const Ray& from = before ? *before : ray;
+  const double distance = after && before ? 2.0 * kStep : kStep;
+  return Ray{(to[0] - from[0]) / distance, (to[1] - from[1]) / distance, (to[2] - from[2]) / distance};
+}
+
+/// What a pixel sees [sr]: the area, on the unit sphere, of the parallelogram that its ray's derivatives span.
+double solid_angle(const Lens& source, const Correspondence& sample) {
+  const std::optional<Ray> a = ray_per_pixel(source, sample.pixel, sample.ray, 0);
+  const std::optional<Ray> b = ray_per_pixel(source, sample.pixel, sample.ray, 1);
+  if (!a || !b) return 0.0;
+  return std::hypot((*a)[1] * (*b)[2] - (*a)[2] * (*b)[1], (*a)[2] * (*b)[0] - (*a)[0] * (*b)[2],
+                    (*a)[0] * (*b)[1] - (*a)[1] * (*b)[0]);
+}
+
+/// Multiplies the weights by the density, and scales them to the sum 1. Returns how many count more than black.
+std::size_t weigh(const FitWeight& weight, const Lens& source, std::vector<Correspondence>& samples) {
+  const double floor = weight.kind == WeightKind::kImage ? kBlack * brightest(*weight.density) : 0.0;
+  std::size_t counted = 0;
+  double sum = 0.0;
+  for (Correspondence& sample : samples) {
+    const double density =
+        weight.kind == WeightKind::kImage ? grey_at(*weight.density, sample.pixel) : solid_angle(source, sample);
+    counted += density > floor ? 1 : 0;
+    sample.weight *= std::max(density, floor);
+    sum += sample.weight;
+  }
+  for (Correspondence& sample : samples) sample.weight /= sum;
+  return counted;
+}
+
+/// About so many places, evenly over the image's pixels, at most one for each: an image may have edges anywhere, and the few
+/// radii of sample() would lie on one side of a circle. Those of the domain.
+std::vector<Correspondence> grid_of(const Lens& source, const Domain& domain, int count) {
+  const auto [width, height] = domain.size;
+  const double side = std::max(1.0, std::sqrt(static_cast<double>(width) * height / count));
+  const int columns = std::max(1, static_cast<int>(std::lround(width / side)));
+  const int rows = std::max(1, static_cast<int>(std::lround(height / side)));
+  std::vector<Correspondence> samples;
+  for (int i = 0; i < columns; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      const Pixel pixel = {(i + 0.5) * width / columns - 0.5, (j + 0.5) * height / rows - 0.5};
+      if (const std::optional<Ray> ray = domain.ray(source, pixel)) samples.push_back({*ray, pixel, 1.0});
+    }
+  }
+  return samples;
+}
+
+}  // namespace
+
+bool counts_alike(const FitWeight& weight) {
+  if (weight.kind != WeightKind::kImage) return weight.kind == WeightKind::kPixel;
+  const auto [darkest, lightest] = std::ranges::minmax_element(weight.density->samples);
+  return *darkest == *lightest && *lightest > 0.0F;
+}
+
+bool counts_any(const GreyImage& density, const Lens& source, const Domain& domain) {
+  const auto width = static_cast<std::size_t>(density.width);
+  for (std::size_t i = 0; i < density.samples.size(); ++i) {
+    const Pixel pixel = {static_cast<double>(i % width), static_cast<double>(i / width)};
+    if (density.samples[i] > 0.0F && domain.ray(source, pixel)) return true;
+  }
+  return false;
+}
+
+WeightedSamples weighted_samples(const FitWeight& weight, const Lens& source, const Domain& domain, int count) {
+  if (weight.kind != WeightKind::kImage) {
+    WeightedSamples result{sample(source, domain, count), 0};
+    result.counted = weight.kind == WeightKind::kPixel ? result.samples.size() : weigh(weight, source, result.samples);
+    return result;
+  }
+  // An image may be black nearly everywhere.
+  constexpr int kFiner = 16;
+  constexpr int kMost = 50'000;
+  WeightedSamples result;
+  int finer = std::min(kFiner * count, kMost);
+  while (true) {
+    result.samples = grid_of(source, domain, finer);
+    result.counted = weigh(weight, source, result.samples);
+    if (2 * result.counted >= static_cast<std::size_t>(count) || finer >= kMost) return result;
+    finer = std::min(2 * finer, kMost);
+  }
+}
+
+double weighted_rms(const FitWeight& weight, const Lens& source, const CameraModel& target, const Domain& domain,
+                    double reach_rad, const Transform* T_target_source) {
+  constexpr int kPlaces = 3000;
+  double squares = 0.0;
+  double sum = 0.0;
+  for (const Correspondence& sample : weighted_samples(weight, source, domain, kPlaces).samples) {
+    if (angle_from_axis(sample.ray) > reach_rad) continue;
+    const std::optional<Pixel> pixel =
+        project(target, T_target_source != nullptr ? rotated(*T_target_source, sample.ray) : sample.ray);
+    if (!pixel) continue;
+    squares += sample.weight * (std::pow((*pixel)[0] - sample.pixel[0], 2) + std::pow((*pixel)[1] - sample.pixel[1], 2));
+    sum += sample.weight;
+  }
+  return sum > 0.0 ? std::sqrt(squares / sum) : 0.0;
+}
+
+}  // namespace fca::internal
