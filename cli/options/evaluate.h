@@ -2,6 +2,7 @@
 #pragma once
 
 #include "options.h"
+#include "shell/output_name.h"
 
 #include <string>
 
@@ -10,6 +11,8 @@ namespace fca::cli {
 /// What `evaluate` was asked for.
 struct EvaluateArguments {
   std::string image;  ///< A path; empty: tables without images.
+  OutputPlace page;   ///< One file; empty: none.
+  bool force = false;
   bool json = false;
 };
 

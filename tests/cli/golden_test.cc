@@ -91,12 +91,13 @@ std::string masked(const std::string& text) {
   static const std::regex kNumber("-?[0-9]+\\.[0-9]+(e[-+][0-9]+)?|-?[0-9]+e[-+][0-9]+");
   // Of `evaluate`: how long the fits took.
   static const std::regex kTime(
-      "(ours on this one:)(\n    [A-Z]+-[A-Z]+ [^\n]*)+|(fits in ms, in their order:)[0-9 .,\n]*and [0-9.]+");
+      "(ours on this one:)(\n    [A-Z]+-[A-Z]+ [^\n]*)+|(fits in ms, in their order:)[0-9 .,\n]*and [0-9.]+|"
+      "(in this run on this machine:)(\n    [^\n]*)+");
   // Of several pixels that are as bad as each other.
   static const std::regex kWorst("at \\([0-9.]+, [0-9.]+\\)");
   static const std::regex kPicture("data:image/png;base64,[A-Za-z0-9+/=]*");
   std::string rest = std::regex_replace(text, kVersion, "fca-io VERSION");
-  rest = std::regex_replace(std::regex_replace(rest, kPicture, "PICTURE"), kTime, "$1$3 TIME");
+  rest = std::regex_replace(std::regex_replace(rest, kPicture, "PICTURE"), kTime, "$1$3$4 TIME");
   rest = std::regex_replace(rest, kWorst, "at (U, V)");
   std::string result;
   auto at = rest.cbegin();

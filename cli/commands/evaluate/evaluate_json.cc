@@ -48,6 +48,14 @@ void put_fit(Json& json, const FitSummary& fit, double time_us) {
   });
 }
 
+void put_painted(Json& json, std::string_view key, const std::optional<PaintedImage>& painted) {
+  if (!painted) return;
+  json.object(key, [&] {
+    json.put("psnr_db", painted->psnr_db);
+    json.put("ssim", painted->ssim);
+  });
+}
+
 void put_row(Json& json, const EvaluatedRow& row) {
   json.put("from", row.published.from.name);
   json.put("to", row.published.to.name);
@@ -84,7 +92,34 @@ void put_row(Json& json, const EvaluatedRow& row) {
       json.put("compared_share", row.recovered->compared);
     });
   }
+  put_painted(json, "painted_image", row.painted);
   json.put("why", row.published.why);
+}
+
+void put_sweep(Json& json, const SampleSweep& sweep) {
+  json.put("from", sweep.from.name);
+  json.put("to", sweep.to.name);
+  json.array("points", sweep.points, [&](const SweepPoint& point) {
+    json.object([&] {
+      json.put("samples_asked", point.asked);
+      json.put("samples", point.taken);
+      json.put("parameter_error", point.parameter_error);
+      json.put("rms_px", point.rms_px);
+      json.put("time_us", point.time_us);
+    });
+  });
+}
+
+/// What is here in place of Table 4.
+void put_replacement(Json& json, const EvaluateResult& evaluation) {
+  const ErrorSummary& error = evaluation.slam_camera.judgement.error;
+  json.put("number", 4);
+  json.put("reproduced", false);
+  json.put("rms_px", error.rms);
+  json.put("max_px", error.max);
+  json.put("bound_px", error.bound);
+  json.put("max_angle_deg", paper::slam_camera().max_angle_deg);
+  json.put("why", replacement_in_words(evaluation));
 }
 
 void put_polynomial(Json& json, const paper::Polynomial& polynomial) {
@@ -136,10 +171,13 @@ std::string evaluate_json(const EvaluateResult& evaluation) {
         put_size(json, table.published.size);
         json.put("max_angle_deg", table.published.max_angle_deg);
         json.array("rows", table.rows, [&](const EvaluatedRow& row) { json.object([&] { put_row(json, row); }); });
+        put_painted(json, "painted_noise", table.painted_noise);
         json.put("remark", table.published.remark);
       });
     });
     json.object("polynomials", [&] { put_polynomials(json, evaluation.polynomials); });
+    json.array("samples", evaluation.sweeps, [&](const SampleSweep& sweep) { json.object([&] { put_sweep(json, sweep); }); });
+    json.object("slam", [&] { put_replacement(json, evaluation); });
   });
   return json.document();
 }

@@ -3,6 +3,7 @@
 
 #include "degrees.h"
 #include "recovered_images.h"
+#include "sample_sweep.h"
 
 #include <fca/convert/domain.h>
 #include <fca/convert/judge.h>
@@ -52,12 +53,6 @@ std::optional<TimedConversion> timed_conversion(const Camera& camera, ConvertOpt
   return TimedConversion{std::move(*judged), times[kRuns / 2]};
 }
 
-const CameraModel* calibration_in(const paper::ConversionTable& table, const paper::Model& model) {
-  const auto found = std::ranges::find_if(
-      table.calibrations, [&model](const CameraModel& calibration) { return model_info(calibration).id == model.id; });
-  return found == table.calibrations.end() ? nullptr : &*found;
-}
-
 SampleError error_on_samples(const CameraModel& source, const CameraModel& target, const Domain& domain) {
   SampleError result;
   for (const Pixel& pixel : paper::cell_centres(domain.size, paper::kSamples)) {
@@ -71,18 +66,12 @@ SampleError error_on_samples(const CameraModel& source, const CameraModel& targe
   return result;
 }
 
-double distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum);
-}
-
 std::optional<EvaluatedRow> evaluate_row(const paper::ConversionTable& table, const paper::Row& row, Diagnostics& diagnostics) {
   ConvertOptions options;
   options.max_angle_rad = radians(table.max_angle_deg);
   const std::string name = std::string(row.from.name) + "-" + std::string(row.to.name);
 
-  const CameraModel* from = calibration_in(table, row.from);
+  const CameraModel* from = paper::calibration_in(table, row.from);
   Camera source = camera_of(name, table.size, from != nullptr ? *from : table.calibrations.front());
   if (from == nullptr) {
     options.model = row.from.id;
@@ -95,13 +84,13 @@ std::optional<EvaluatedRow> evaluate_row(const paper::ConversionTable& table, co
   if (const int least = find_model(options.model)->least_degree; least > 0) options.degree = least;  // as the paper's toolbox
   std::optional<TimedConversion> timed = timed_conversion(source, options, diagnostics);
   const std::optional<Domain> domain = domain_of(source, options.max_angle_rad, diagnostics);
-  const CameraModel* truth = calibration_in(table, row.to);
+  const CameraModel* truth = paper::calibration_in(table, row.to);
   if (!timed || !domain || truth == nullptr) return std::nullopt;
 
-  EvaluatedRow result{row, source.model, std::move(timed->conversion), timed->time_us, {}, 0.0, {}};
+  EvaluatedRow result{row, source.model, std::move(timed->conversion), timed->time_us, {}, 0.0};
   const CameraModel& target = result.conversion.camera.model;
   result.on_samples = error_on_samples(source.model, target, *domain);
-  result.parameter_error = distance(paper::parameters_as_published(target), paper::parameters_as_published(*truth));
+  result.parameter_error = paper::parameter_distance(target, *truth);
   return result;
 }
 
@@ -178,6 +167,18 @@ std::optional<EvaluatedPolynomials> evaluate_polynomials(Diagnostics& diagnostic
   return result;
 }
 
+/// The conversion with which the paper runs a SLAM system.
+std::optional<ConversionReport> evaluate_slam_camera(Diagnostics& diagnostics) {
+  const paper::SlamCamera published = paper::slam_camera();
+  ConvertOptions options;
+  options.model = published.to.id;
+  options.max_angle_rad = radians(published.max_angle_deg);
+  options.every_pixel = true;
+  const std::optional<Conversion> conversion =
+      convert(camera_of("KB-EUCM", published.size, published.model), options, diagnostics);
+  return conversion ? std::optional(conversion->report) : std::nullopt;
+}
+
 /// The cameras are ours: one that cannot be converted is a bug.
 void add_tables(EvaluateResult& result) {
   constexpr const char* kBug = "a camera of the paper cannot be converted";
@@ -191,9 +192,12 @@ void add_tables(EvaluateResult& result) {
     evaluated.published = std::move(table);
     result.conversions.push_back(std::move(evaluated));
   }
+  result.sweeps = sample_sweeps(result.conversions.front());
   std::optional<EvaluatedPolynomials> polynomials = evaluate_polynomials(result.diagnostics);
-  if (!polynomials) throw std::logic_error(kBug);
+  std::optional<ConversionReport> slam = evaluate_slam_camera(result.diagnostics);
+  if (!polynomials || !slam) throw std::logic_error(kBug);
   result.polynomials = std::move(*polynomials);
+  result.slam_camera = std::move(*slam);
 }
 
 }  // namespace
@@ -201,7 +205,7 @@ void add_tables(EvaluateResult& result) {
 EvaluateResult evaluate(const EvaluateRequest& request, Files& files) {
   EvaluateResult result;
   add_tables(result);
-  if (!request.image_path.empty() && !add_recovered_images(request.image_path, files, result))
+  if (!request.image_path.empty() && !add_recovered_images(request, files, result))
     result.status = worse(status_of(result.diagnostics), Status::kBadInput);
   return result;
 }

@@ -132,6 +132,12 @@ ConversionTable ocamcalib_table() {
 
 std::vector<ConversionTable> conversion_tables() { return {kalibr_table(), ocamcalib_table()}; }
 
+const CameraModel* calibration_in(const ConversionTable& table, const Model& model) {
+  const auto found = std::ranges::find_if(
+      table.calibrations, [&model](const CameraModel& calibration) { return model_info(calibration).id == model.id; });
+  return found == table.calibrations.end() ? nullptr : &*found;
+}
+
 std::vector<Pixel> cell_centres(const ImageSize& size, int count) {
   const double aspect = static_cast<double>(size.width) / size.height;
   const auto columns = std::lround(std::sqrt(count * aspect));
@@ -155,6 +161,14 @@ std::vector<double> parameters_as_published(const CameraModel& model) {
   std::vector<double> values = {occ.c, occ.d, occ.e, occ.cx, occ.cy};
   values.insert(values.end(), occ.a.begin(), occ.a.end());
   return values;
+}
+
+double parameter_distance(const CameraModel& a, const CameraModel& b) {
+  const std::vector<double> of_a = parameters_as_published(a);
+  const std::vector<double> of_b = parameters_as_published(b);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < of_a.size(); ++i) sum += (of_a[i] - of_b[i]) * (of_a[i] - of_b[i]);
+  return std::sqrt(sum);
 }
 
 Polynomial polynomial_of(const Intrinsics<Ocamcalib>& model) {
@@ -181,6 +195,14 @@ PolynomialTable polynomial_table() {
   table.toolbox = {131.0074, 0.0, -0.0018};
   table.methods = {{{"libPeR", {131.46, 0.0, -0.0018}}, {"paper", {130.809, 0.01238, 0.00186}}}};
   return table;
+}
+
+SlamCamera slam_camera() {
+  return {{512, 512},
+          97.5,
+          Intrinsics<Kb4>{{190.97847715128717, 190.9733070521226, 254.93170605935475, 256.8974428996504, 0.0034823894022493434,
+                           0.0007150348452162257, -0.0020532361418706202, 0.00020293673591811182}},
+          kEucm};
 }
 
 }  // namespace fca::paper

@@ -2,6 +2,7 @@
 #include "recovered_images.h"
 
 #include "degrees.h"
+#include "painted_images.h"
 #include "read/image_planes.h"
 #include "words.h"
 
@@ -10,8 +11,11 @@
 #include <fca/remap/lanczos.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace fca {
 
@@ -65,10 +69,58 @@ RecoveredImage compared(const std::vector<GreyImage>& before, const Recovered& a
   return result;
 }
 
+/// Levels of 8 bits: colour by colour the value that `level_at(colour, pixel)` gives.
+template <class Levels>
+Image picture_of(const std::vector<GreyImage>& like, const Levels& level_at) {
+  constexpr double kWhite = 255.0;
+  const GreyImage& first = like.front();
+  Image image{first.width, first.height, static_cast<int>(like.size()), Image::Sample::k8Bit, {}};
+  image.bytes.reserve(like.size() * first.samples.size());
+  for (std::size_t pixel = 0; pixel < first.samples.size(); ++pixel) {
+    for (std::size_t colour = 0; colour < like.size(); ++colour) {
+      const double level = kWhite * level_at(colour, pixel) / static_cast<double>(first.full_scale);
+      image.bytes.push_back(static_cast<std::uint8_t>(std::lround(std::clamp(level, 0.0, kWhite))));
+    }
+  }
+  return image;
+}
+
+RecoveredPictures pictures_of(const std::vector<GreyImage>& before, const Recovered& after) {
+  constexpr double kAmplified = 16.0;
+  const auto known = [&after](std::size_t pixel) { return after.mask[pixel] != 0; };
+  const auto level = [](const GreyImage& image, std::size_t pixel) { return static_cast<double>(image.samples[pixel]); };
+  return {picture_of(before, [&](std::size_t colour,
+                                 std::size_t pixel) { return known(pixel) ? level(after.colours[colour], pixel) : 0.0; }),
+          picture_of(before, [&](std::size_t colour, std::size_t pixel) {
+            return known(pixel) ? kAmplified * std::abs(level(after.colours[colour], pixel) - level(before[colour], pixel))
+                                : 0.0;
+          })};
+}
+
+/// A pixel's ray in the source's model, and its place in the target's.
+Placement placement_of(const EvaluatedRow& row) {
+  return [&row](const Pixel& pixel) -> std::optional<Pixel> {
+    const std::optional<Ray> ray = unproject(row.source, pixel);
+    return ray ? project(row.conversion.camera.model, *ray) : std::nullopt;
+  };
+}
+
+void add_to_table(const std::vector<GreyImage>& colours, bool with_pictures, EvaluatedTable& table) {
+  constexpr std::string_view kSourceOfFigure3 = "KB";
+  for (EvaluatedRow& row : table.rows) {
+    const Recovered after = recovered(colours, table, row);
+    row.recovered = compared(colours, after);
+    row.painted = painted_image(colours, placement_of(row));
+    if (with_pictures && row.published.from.name == kSourceOfFigure3) row.pictures = pictures_of(colours, after);
+  }
+  table.painted_noise = painted_with_noise(colours);
+}
+
 }  // namespace
 
-bool add_recovered_images(const std::string& path, Files& files, EvaluateResult& evaluation) {
+bool add_recovered_images(const EvaluateRequest& request, Files& files, EvaluateResult& evaluation) {
   Diagnostics& diagnostics = evaluation.diagnostics;
+  const std::string& path = request.image_path;
   const std::optional<Image> image = files.read_image(path, diagnostics);
   if (!image) return false;
   const ImageSize size = {image->width, image->height};
@@ -80,7 +132,7 @@ bool add_recovered_images(const std::string& path, Files& files, EvaluateResult&
     if (std::ranges::find(sizes, needed) == sizes.end()) sizes.push_back(needed);
     if (!(table.published.size == size)) continue;
     fits = true;
-    for (EvaluatedRow& row : table.rows) row.recovered = compared(colours, recovered(colours, table, row));
+    add_to_table(colours, request.pictures, table);
   }
   if (!fits) diagnostics.add(Code::kNotThePapersSize, {size.width, size.height, sizes}, {path, 0, 0});
   return fits;

@@ -5,12 +5,10 @@
 
 #include <fca/toolkit/evaluate.h>
 
-#include <string>
-
 namespace fca {
 
-/// Fills EvaluatedRow::recovered in those tables of `evaluation` whose published images have the size of the image at `path`.
+/// Fills what rows have of an image in those tables of `evaluation` whose published images have the size of the request's.
 /// False, with an error, where the image cannot be read, or where no table has that size.
-[[nodiscard]] bool add_recovered_images(const std::string& path, Files& files, EvaluateResult& evaluation);
+[[nodiscard]] bool add_recovered_images(const EvaluateRequest& request, Files& files, EvaluateResult& evaluation);
 
 }  // namespace fca

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The paper's tables, recomputed: every row converted by the library and judged on every pixel.
+// The paper's tables and figures, recomputed: every row converted by the library and judged on every pixel.
 #pragma once
 
 #include <fca/toolkit/paper_tables.h>
@@ -7,6 +7,7 @@
 #include <fca/convert/convert.h>
 #include <fca/diagnostics.h>
 #include <fca/toolkit/files.h>
+#include <fca/toolkit/image.h>
 #include <fca/toolkit/status.h>
 
 #include <optional>
@@ -28,6 +29,20 @@ struct RecoveredImage {
   double compared = 0.0;  ///< Share of the pixels that both cameras see.
 };
 
+/// PSNR and SSIM as the authors' program has them of an image. It paints each pixel's colour as a disc of 5 pixels where the
+/// converted model has the pixel, cut to whole pixels, and takes the colour from there too, not from where the pixel was: no
+/// displacement can be seen, but where 1e-9 px more or less cut a place to the next pixel.
+struct PaintedImage {
+  double psnr_db = 0.0;  ///< Of the first colour (blue); 0: the same.
+  double ssim = 0.0;     ///< Of the first colour.
+};
+
+/// The image as the converted camera would have taken it, of 8 bits, black where it is not known; and what of it differs.
+struct RecoveredPictures {
+  Image image;
+  Image difference;  ///< 16 times as much as the levels differ.
+};
+
 struct EvaluatedRow {
   paper::Row published;
   CameraModel source;
@@ -35,12 +50,31 @@ struct EvaluatedRow {
   double time_us = 0.0;  ///< Sampling and fit, the median of some runs.
   SampleError on_samples;
   double parameter_error = 0.0;
-  std::optional<RecoveredImage> recovered = {};  ///< With an image.
+  std::optional<RecoveredImage> recovered = {};  ///< With an image; and the two below.
+  std::optional<PaintedImage> painted = {};
+  std::optional<RecoveredPictures> pictures = {};  ///< Of Figure 3.
 };
 
 struct EvaluatedTable {
   paper::ConversionTable published;
   std::vector<EvaluatedRow> rows;
+  std::optional<PaintedImage> painted_noise = {};  ///< With an image: no conversion, but noise of up to 1e-9 px.
+};
+
+/// A conversion from a number of samples.
+struct SweepPoint {
+  int asked = 0;
+  int taken = 0;  ///< More than asked where the fit turned out to be worse between them.
+  double parameter_error = 0.0;
+  double rms_px = 0.0;   ///< Over the image.
+  double time_us = 0.0;  ///< Sampling and fit, the shortest of some runs.
+};
+
+/// A curve of Figure 2.
+struct SampleSweep {
+  paper::Model from;
+  paper::Model to;
+  std::vector<SweepPoint> points;
 };
 
 /// A polynomial for Table 3's camera, published or ours.
@@ -72,12 +106,15 @@ struct EvaluateRequest {
   /// converted one's ray (Lanczos, at exactly that place, not rounded to grey levels). Places near the border, whose window
   /// reaches beyond the image, are left out. With models that agree the two are the same. Empty: no image.
   std::string image_path;
+  bool pictures = false;  ///< EvaluatedRow::pictures of the rows of Figure 3, whose source is KB.
 };
 
 struct EvaluateResult {
   Status status = Status::kDone;            ///< Else only the diagnostics are set.
   std::vector<EvaluatedTable> conversions;  ///< Tables 1 and 2.
+  std::vector<SampleSweep> sweeps;          ///< Figure 2, of Table 1's conversions.
   EvaluatedPolynomials polynomials;         ///< Table 3.
+  ConversionReport slam_camera;             ///< In place of Table 4: its conversion, the largest error proven.
   Diagnostics diagnostics;
 };
 

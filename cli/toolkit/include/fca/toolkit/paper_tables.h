@@ -53,6 +53,9 @@ struct ConversionTable {
 };
 [[nodiscard]] std::vector<ConversionTable> conversion_tables();
 
+/// The published calibration in that model; null where there is none.
+[[nodiscard]] const CameraModel* calibration_in(const ConversionTable& table, const Model& model);
+
 /// The N of all tables: samples asked for.
 inline constexpr int kSamples = 500;
 
@@ -61,6 +64,9 @@ inline constexpr int kSamples = 500;
 
 /// The parameters between which the paper measures PE. OCC's are those of its (u, v) form, with z ahead; else the model's own.
 [[nodiscard]] std::vector<double> parameters_as_published(const CameraModel& model);
+
+/// PE: the L2 norm of the difference between the parameters of two cameras of one model.
+[[nodiscard]] double parameter_distance(const CameraModel& a, const CameraModel& b);
 
 /// Height of the ray a0 + a1 r + a2 r^2 in pixels, positive ahead of the camera.
 struct Polynomial {
@@ -84,6 +90,16 @@ struct PolynomialTable {
   std::array<PublishedPolynomial, 2> methods;
 };
 [[nodiscard]] PolynomialTable polynomial_table();
+
+/// The camera of Table 4, with which the paper runs a SLAM system: TUM VI's cam0 as its authors calibrated it (kb4; Schubert et
+/// al. 2018).
+struct SlamCamera {
+  ImageSize size;
+  double max_angle_deg = 0.0;  ///< The lens ends there.
+  CameraModel model;
+  Model to;
+};
+[[nodiscard]] SlamCamera slam_camera();
 
 /// A polynomial without shear or stretch around a centre.
 [[nodiscard]] Intrinsics<Ocamcalib> camera_of(const Polynomial& polynomial, const Pixel& centre);

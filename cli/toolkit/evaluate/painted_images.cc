@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "painted_images.h"
+
+#include <fca/compare/image_similarity.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+
+namespace fca {
+
+namespace {
+
+constexpr int kNothing = -1;
+
+/// Of each pixel of a painted image the pixel that has its colour, or kNothing: it stayed black.
+std::vector<int> painted(int width, int height, const Placement& place) {
+  // A filled circle of radius 1.
+  constexpr std::array<std::array<int, 2>, 5> kDisc = {{{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+  std::vector<int> origin(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kNothing);
+  const auto inside = [](double value, int end) { return value >= 0.0 && value < end; };
+  // Column by column: of discs that overlap the last one is seen.
+  for (int u = 0; u < width; ++u) {
+    for (int v = 0; v < height; ++v) {
+      const std::optional<Pixel> to = place({static_cast<double>(u), static_cast<double>(v)});
+      if (!to || !inside(std::floor((*to)[0] + 0.5), width) || !inside(std::floor((*to)[1] + 0.5), height)) continue;
+      const int column = static_cast<int>((*to)[0]);
+      const int row = static_cast<int>((*to)[1]);
+      for (const auto& [right, down] : kDisc) {
+        const int x = column + right;
+        const int y = row + down;
+        if (inside(x, width) && inside(y, height)) origin[static_cast<std::size_t>(y * width + x)] = row * width + column;
+      }
+    }
+  }
+  return origin;
+}
+
+/// 8-bit samples.
+GreyImage repainted(const GreyImage& image, const std::vector<int>& origin) {
+  constexpr float kFullScale = 255.0F;
+  GreyImage result{image.width, image.height, kFullScale, std::vector<float>(origin.size(), 0.0F)};
+  for (std::size_t i = 0; i < origin.size(); ++i) {
+    if (origin[i] != kNothing)
+      result.samples[i] = std::floor(image.samples[static_cast<std::size_t>(origin[i])] * kFullScale / image.full_scale);
+  }
+  return result;
+}
+
+/// Which pixels have a grey level that is not 0 in 8 bits.
+std::vector<bool> lit(const std::vector<GreyImage>& colours) {
+  constexpr std::array<double, 3> kShares = {0.114, 0.587, 0.299};  // of blue, green and red
+  std::vector<bool> result;
+  for (std::size_t i = 0; i < colours.front().samples.size(); ++i) {
+    double grey = 0.0;
+    for (std::size_t c = 0; c < colours.size(); ++c)
+      grey += (colours.size() == kShares.size() ? kShares.at(c) : 1.0) * static_cast<double>(colours[c].samples[i]);
+    result.push_back(std::lround(grey) != 0);
+  }
+  return result;
+}
+
+/// Weights of a Gaussian of 11 pixels with standard deviation 1.5 along rows and columns; beyond the border the image is
+/// mirrored about its last pixel.
+class Blur {
+ public:
+  Blur(int width, int height) : width_(width), height_(height) {
+    constexpr double kDeviation = 1.5;
+    double sum = 0.0;
+    for (int i = -kReach; i <= kReach; ++i)
+      sum += weights_.at(static_cast<std::size_t>(i + kReach)) = std::exp(-0.5 * i * i / (kDeviation * kDeviation));
+    for (double& weight : weights_) weight /= sum;
+  }
+
+  [[nodiscard]] std::vector<double> operator()(const std::vector<double>& image) const {
+    return along(along(image, 1, 0), 0, 1);
+  }
+
+ private:
+  static constexpr int kReach = 5;
+
+  static int mirrored(int i, int count) { return i < 0 ? -i : i >= count ? 2 * (count - 1) - i : i; }
+
+  [[nodiscard]] std::vector<double> along(const std::vector<double>& image, int right, int down) const {
+    std::vector<double> result(image.size());
+    for (int y = 0; y < height_; ++y) {
+      for (int x = 0; x < width_; ++x) {
+        double sum = 0.0;
+        for (int i = -kReach; i <= kReach; ++i) {
+          const int from = mirrored(y + i * down, height_) * width_ + mirrored(x + i * right, width_);
+          sum += weights_.at(static_cast<std::size_t>(i + kReach)) * image[static_cast<std::size_t>(from)];
+        }
+        result[static_cast<std::size_t>(y * width_ + x)] = sum;
+      }
+    }
+    return result;
+  }
+
+  int width_;
+  int height_;
+  std::array<double, 2 * kReach + 1> weights_{};
+};
+
+std::vector<double> product(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> result(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] * b[i];
+  return result;
+}
+
+/// The mean over all pixels, black ones too.
+double mean_ssim(const GreyImage& one, const GreyImage& other) {
+  constexpr double kC1 = 6.5025;
+  constexpr double kC2 = 58.5225;
+  std::vector<double> a(one.samples.size(), 0.0);
+  std::vector<double> b = a;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (one.samples[i] == 0.0F || other.samples[i] == 0.0F) continue;
+    a[i] = static_cast<double>(one.samples[i]);
+    b[i] = static_cast<double>(other.samples[i]);
+  }
+  const Blur blur(one.width, one.height);
+  const std::vector<double> mean_a = blur(a);
+  const std::vector<double> mean_b = blur(b);
+  const std::vector<double> square_a = blur(product(a, a));
+  const std::vector<double> square_b = blur(product(b, b));
+  const std::vector<double> mixed = blur(product(a, b));
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double of_means = mean_a[i] * mean_b[i];
+    const double squares = mean_a[i] * mean_a[i] + mean_b[i] * mean_b[i];
+    sum += (2.0 * of_means + kC1) * (2.0 * (mixed[i] - of_means) + kC2) /
+           ((squares + kC1) * (square_a[i] + square_b[i] - squares + kC2));
+  }
+  return sum / static_cast<double>(a.size());
+}
+
+/// Of the first colour, over the pixels that are lit in both; 0 where nothing differs.
+double psnr(const std::vector<GreyImage>& one, const std::vector<GreyImage>& other) {
+  const std::vector<bool> lit_in_one = lit(one);
+  const std::vector<bool> lit_in_other = lit(other);
+  double squares = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < lit_in_one.size(); ++i) {
+    if (!lit_in_one[i] || !lit_in_other[i]) continue;
+    const double difference = static_cast<double>(one.front().samples[i]) - static_cast<double>(other.front().samples[i]);
+    squares += difference * difference;
+    count += 1.0;
+  }
+  constexpr double kSame = 1e-10;
+  return squares <= kSame ? 0.0 : psnr_db(squares / count, static_cast<double>(one.front().full_scale));
+}
+
+std::vector<GreyImage> all_repainted(const std::vector<GreyImage>& colours, const Placement& place) {
+  const std::vector<int> origin = painted(colours.front().width, colours.front().height, place);
+  std::vector<GreyImage> result;
+  for (const GreyImage& colour : colours) result.push_back(repainted(colour, origin));
+  return result;
+}
+
+}  // namespace
+
+PaintedImage painted_image(const std::vector<GreyImage>& colours, const Placement& place) {
+  const std::vector<GreyImage> original = all_repainted(colours, [](const Pixel& pixel) { return pixel; });
+  const std::vector<GreyImage> converted = all_repainted(colours, place);
+  return {psnr(original, converted), mean_ssim(original.front(), converted.front())};
+}
+
+PaintedImage painted_with_noise(const std::vector<GreyImage>& colours) {
+  constexpr double kNoise = 1e-9;  // px
+  std::minstd_rand random(1);      // the same numbers everywhere
+  const auto noise = [&random] { return kNoise * (2.0 * static_cast<double>(random()) / std::minstd_rand::max() - 1.0); };
+  return painted_image(colours, [&noise](const Pixel& pixel) {
+    const double right = noise();
+    return Pixel{pixel[0] + right, pixel[1] + noise()};
+  });
+}
+
+}  // namespace fca

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// PSNR and SSIM as the authors' program computes them (eowjd0512/fisheye-calib-adapter b5b0e82, adapter.cpp: get_image,
+// calculate_psnr, calculate_ssim), so that the paper's columns can be compared with something. They say nothing of a
+// conversion: see PaintedImage.
+#pragma once
+
+#include <fca/toolkit/evaluate.h>
+
+#include <fca/rig/grey_image.h>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace fca {
+
+/// Where a program puts a pixel of the image; nothing where it has no place.
+using Placement = std::function<std::optional<Pixel>(const Pixel& pixel)>;
+
+/// `colours`: blue, green and red, or grey.
+[[nodiscard]] PaintedImage painted_image(const std::vector<GreyImage>& colours, const Placement& place);
+
+/// What the authors' program makes of an image whose pixels go where they are, but for noise of up to 1e-9 px.
+[[nodiscard]] PaintedImage painted_with_noise(const std::vector<GreyImage>& colours);
+
+}  // namespace fca

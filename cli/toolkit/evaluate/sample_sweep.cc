@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sample_sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace fca {
+
+namespace {
+
+constexpr std::array kCounts = {10, 30, 100, 300, 1000, 3000, 10'000};
+
+/// The first run warms the caches, and other processes disturb some.
+constexpr std::size_t kRuns = 3;
+
+std::optional<SweepPoint> point_of(const Camera& source, const EvaluatedRow& row, const CameraModel& truth, int samples) {
+  ConvertOptions options;
+  options.model = row.published.to.id;
+  options.samples = samples;
+  options.bound = false;
+  std::array<double, kRuns> times{};
+  std::optional<Conversion> conversion;
+  for (double& time : times) {
+    Diagnostics told_in_the_table;
+    conversion = convert(source, options, told_in_the_table);
+    if (!conversion) return std::nullopt;
+    time = conversion->report.fit.time_us;
+  }
+  return SweepPoint{samples, conversion->report.fit.samples, paper::parameter_distance(conversion->camera.model, truth),
+                    conversion->report.judgement.error.rms, *std::ranges::min_element(times)};
+}
+
+}  // namespace
+
+std::vector<SampleSweep> sample_sweeps(const EvaluatedTable& table) {
+  std::vector<SampleSweep> sweeps;
+  for (const EvaluatedRow& row : table.rows) {
+    const CameraModel* truth = paper::calibration_in(table.published, row.published.to);
+    if (truth == nullptr) continue;
+    Camera source;
+    source.image_size = table.published.size;
+    source.model = row.source;
+    SampleSweep sweep{row.published.from, row.published.to, {}};
+    for (const int samples : kCounts) {
+      if (const std::optional<SweepPoint> point = point_of(source, row, *truth, samples)) sweep.points.push_back(*point);
+    }
+    sweeps.push_back(std::move(sweep));
+  }
+  return sweeps;
+}
+
+}  // namespace fca
