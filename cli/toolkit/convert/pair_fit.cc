@@ -16,7 +16,8 @@ namespace {
 
 bool has_other_wishes(const ConvertRequest& request, const Format& to) {
   const bool shares_lens = request.layout && request.layout->name() == to.common_lens_layout;
-  return request.objective != Objective::kRms || request.absorb_turn || request.fixed.any() || shares_lens;
+  return request.objective != Objective::kRms || request.weight != WeightKind::kPixel || request.absorb_turn ||
+         request.fixed.any() || shares_lens;
 }
 
 /// Nothing where the camera keeps its model.

@@ -131,7 +131,7 @@ std::span<const CodeInfo> convert_codes() {
           Code::kPairFitNeedsPair, "pair-fit-needs-pair",
           "only a stereo pair is fitted together: two cameras that see the same, with image sizes and a pose between them"),
       bad_request(Code::kPairFitWithOthers, "pair-fit-with-others",
-                  "a pair is fitted together for the rms, with all parameters free; turns are a part of it"),
+                  "a pair is fitted together for the rms of all pixels, with all parameters free; turns are a part of it"),
       error(Code::kLossesNotAllowed, "strict-loss", "the target cannot carry {0:and}, and nothing may be lost"),
       clause(Code::kBetterModelsExist, "{0}"),
       clause(Code::kNoBetterModel, "{0} reads no better model{1}"),

@@ -190,8 +190,8 @@ TEST(Rectify, MapsOfOpenCvShowTheSame) {
     const TemporaryFolder folder;
     const std::string file = folder.write("chain.yaml", chain(pair));
     const auto written = [&](const std::string& format, const std::string& name) {
-      const Told told({"rectify", file, "--map-format", format, "--out-size", cv::format("%dx%d", size.width, size.height), "-o",
-                       folder / (format + "/")});
+      const Told told({"rectify", file, "--map-format", format, "--out-size", cv::format("%dx%d", size.width, size.height),
+                       "-o", folder / (format + "/")});
       EXPECT_EQ(told.code(), 0) << told.text();
       EXPECT_TRUE(std::string(told.json()["maps"][0].GetString()).ends_with(name));
       return folder / (format + "/" + name);
@@ -507,6 +507,7 @@ TEST(Rectify, StereoFeelsLessOfAFitOfBoth) {
   EXPECT_EQ(told({"--pair", "--absorb-rotation"}).code(), 2);
   EXPECT_EQ(told({"--pair", "--fix", "alpha=0.6"}).code(), 2);
   EXPECT_EQ(told({"--pair", "--objective", "max"}).code(), 2);
+  EXPECT_EQ(told({"--pair", "--weight", "angle"}).code(), 2);
   EXPECT_EQ(told({"--pair", "--camera", "cam0"}).code(), 2);
   const Told kept({"convert", file, "--to", "kalibr", "--pair", "--dry-run"});
   EXPECT_EQ(kept.code(), 0) << kept.text();
