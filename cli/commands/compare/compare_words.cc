@@ -129,13 +129,13 @@ std::vector<std::string> sentences(const std::vector<Mistake>& mistakes) {
 
 double distance_from_zero(const std::array<double, 3>& metres) { return std::hypot(metres[0], metres[1], metres[2]); }
 
-/// " (up to 30 deg from the axis)"; empty where all rays count.
+/// " (of pixels up to 30.0 deg from the axis)"; empty where all rays count.
 std::string focus_in_words(const std::vector<CameraComparison>& cameras) {
   double furthest = 0.0;
   for (const CameraComparison& camera : cameras) {
     if (camera.focus && !camera.identical) furthest = std::max(furthest, camera.focus->max_angle_deg);
   }
-  return furthest > 0.0 ? " (up to " + in_tenths(furthest) + " from the axis)" : "";
+  return furthest > 0.0 ? " (of pixels up to " + in_tenths(furthest) + " from the axis)" : "";
 }
 
 /// One clause of the verdict.

@@ -19,23 +19,27 @@ double brightest(const GreyImage& image) { return *std::ranges::max_element(imag
 
 /// Bilinear between the pixels' centres. Exact where neighbours are the same.
 double grey_at(const GreyImage& image, const Pixel& pixel) {
-  const auto place = [](double position, int size) {
+  struct Place {
+    std::size_t first;
+    double beyond;  ///< The first, in pixels.
+  };
+  const auto place = [](double position, int size) -> Place {
     const double inside = std::clamp(position, 0.0, size - 1.0);
     const double first = std::min(std::floor(inside), std::max(0.0, size - 2.0));
-    return std::pair(static_cast<std::size_t>(first), inside - first);
+    return {static_cast<std::size_t>(first), inside - first};
   };
-  const auto [u, along_u] = place(pixel[0], image.width);
-  const auto [v, along_v] = place(pixel[1], image.height);
+  const Place u = place(pixel[0], image.width);
+  const Place v = place(pixel[1], image.height);
   const auto width = static_cast<std::size_t>(image.width);
   const std::size_t right = image.width > 1 ? 1 : 0;
   const std::size_t below = image.height > 1 ? width : 0;
-  const std::size_t at = v * width + u;
-  const auto along_row = [&image, right, along_u](std::size_t i) {
+  const std::size_t at = v.first * width + u.first;
+  const auto along_row = [&](std::size_t i) {
     const double left = image.samples[i];
-    return left + along_u * (image.samples[i + right] - left);
+    return left + u.beyond * (image.samples[i + right] - left);
   };
   const double upper = along_row(at);
-  return upper + along_v * (along_row(at + below) - upper);
+  return upper + v.beyond * (along_row(at + below) - upper);
 }
 
 /// The difference of the rays beside a pixel along u or v, per pixel; nothing where the lens has none.
@@ -106,10 +110,11 @@ bool counts_alike(const FitWeight& weight) {
 }
 
 bool counts_any(const GreyImage& density, const Lens& source, const Domain& domain) {
-  const auto width = static_cast<std::size_t>(density.width);
-  for (std::size_t i = 0; i < density.samples.size(); ++i) {
-    const Pixel pixel = {static_cast<double>(i % width), static_cast<double>(i / width)};
-    if (density.samples[i] > 0.0F && domain.ray(source, pixel)) return true;
+  std::size_t i = 0;
+  for (int v = 0; v < density.height; ++v) {
+    for (int u = 0; u < density.width; ++u, ++i) {
+      if (density.samples[i] > 0.0F && domain.ray(source, {static_cast<double>(u), static_cast<double>(v)})) return true;
+    }
   }
   return false;
 }
