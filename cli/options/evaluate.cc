@@ -20,7 +20,8 @@ void add_evaluate_options(Options& options, EvaluateArguments& arguments) {
   options.footer(
       "The cameras are the paper's. Its figures are next to ours, and why they differ. The paper's images are not ours:\n"
       "--image takes any; examples/cpp/render_image.cc makes one. With the authors' own (their repository's\n"
-      "dataset/kalibr/image.png for Table 1, dataset/OcamCalib/image.jpg for Table 2), their PSNR and SSIM are reproduced,\n"
+      "dataset/kalibr/image.png for Table 1, dataset/OcamCalib/image.jpg for Table 2), their PSNR and SSIM are computed their "
+      "way,\n"
       "next to what the image loses.\n\n"
       "Example:\n"
       "  fca-io evaluate\n"

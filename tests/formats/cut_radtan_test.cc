@@ -34,7 +34,7 @@ std::vector<Camera> corpus_cameras() {
       }
     }
   }
-  constexpr std::size_t kEvery = 16;
+  constexpr std::size_t kEvery = 48;
   const bool all = std::getenv("FCA_ALL_RANDOM_CAMERAS") != nullptr;
   std::vector<Camera> chosen;
   std::size_t i = 0;

@@ -155,6 +155,7 @@ double psnr(const std::vector<GreyImage>& one, const std::vector<GreyImage>& oth
 std::vector<GreyImage> all_repainted(const std::vector<GreyImage>& colours, const Placement& place) {
   const std::vector<int> origin = painted(colours.front().width, colours.front().height, place);
   std::vector<GreyImage> result;
+  result.reserve(colours.size());
   for (const GreyImage& colour : colours) result.push_back(repainted(colour, origin));
   return result;
 }
