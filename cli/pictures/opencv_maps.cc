@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <exception>
+#include <limits>
 
 #include <zlib.h>
 #include <opencv2/core.hpp>
@@ -16,6 +17,7 @@ namespace {
 std::optional<std::string> zipped(const std::string& text) {
   constexpr int kGzip = 16 + MAX_WBITS;
   constexpr int kMemory = 8;  // zlib's default
+  if (text.size() > std::numeric_limits<uInt>::max()) return std::nullopt;
   z_stream stream{};
   if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, kGzip, kMemory, Z_DEFAULT_STRATEGY) != Z_OK) return std::nullopt;
   std::string bytes(deflateBound(&stream, text.size()), '\0');

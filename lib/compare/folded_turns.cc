@@ -11,9 +11,9 @@ namespace {
 
 using Cameras = std::vector<CameraComparison*>;
 
-/// Half of the rms and more: what remains is not what was to be explained.
+/// A tenth of the rms and more: a model may be off by more than the turn.
 bool explains_rays(const CameraComparison& camera) {
-  constexpr double kExplainsRays = 0.5;
+  constexpr double kExplainsRays = 0.9;
   const CameraDifference* rotated = camera.counted_rotated();
   if (rotated == nullptr || !(rotated->judgement.coverage.scored > 0.0)) return false;
   return rotated->judgement.error.rms < kExplainsRays * camera.counted().judgement.error.rms;
@@ -63,7 +63,7 @@ double remaining_share(const CameraComparison& camera, const std::vector<PoseCom
 /// Those whose poses turn back. Of a pair one turn may be in its pose and the other not: the one that agrees least is taken
 /// away until all agree.
 Cameras cancelling(Cameras candidates, const PoseTask& poses, const std::vector<PoseComparison>& stated) {
-  constexpr double kExplainsPoses = 0.2;
+  constexpr double kExplainsPoses = 0.35;
   while (!candidates.empty()) {
     const std::vector<PoseComparison> folded = compared_with(with_turns(poses.reference, candidates), poses);
     if (folded.size() != stated.size()) return {};

@@ -25,13 +25,14 @@ std::vector<Correspondence> samples_for_turn(const FitTask& task, double reach_r
   return weighted_samples(task.options.weight, task.camera.model, domain, count).samples;
 }
 
-/// Is what the fit makes small smaller with the turn?
+/// Is what the fit makes small smaller with the turn, by more than nothing?
 bool is_better(const FitTask& task, const DomainFit& straight, const TurnedFit& turned, double rms_straight_px,
                double rms_turned_px) {
+  constexpr double kWorthATurn = 0.99;
   const FitWeight& weight = task.options.weight;
-  if (counts_alike(weight)) return rms_turned_px < rms_straight_px;
+  if (counts_alike(weight)) return rms_turned_px < kWorthATurn * rms_straight_px;
   return weighted_rms(weight, task.camera.model, turned.fitted.model, task.domain, straight.fitted.reach_rad,
-                      &turned.T_target_source) < straight.rms_px;
+                      &turned.T_target_source) < kWorthATurn * straight.rms_px;
 }
 
 }  // namespace

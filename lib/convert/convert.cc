@@ -187,9 +187,10 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
   conversion.report.at_bound = fitted.model->at_bound;
   conversion.report.degree = chosen.degree;
   conversion.report.unusual = chosen.unusual;
-  for (const UnusualParameter& each : chosen.unusual)
+  for (const UnusualParameter& each : chosen.unusual) {
     diagnostics.add(Code::kParameterUnusual, {task.camera.name, task.target.id, each.name, each.value, each.usual[0],
-                                              each.usual[1], each.rms_inside_px, conversion.report.judgement.error.rms});
+                                              each.usual[1], each.rms_inside_px, chosen.fit.rms_px});
+  }
   if (task.options.absorb_turn) {
     internal::absorb_turn(task, chosen, conversion, diagnostics);
   } else if (internal::counts_alike(task.options.weight)) {

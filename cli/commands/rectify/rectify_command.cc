@@ -143,9 +143,9 @@ ExitCode run_rectify(const RectifyArguments& given, const TypedOptions& typed, C
   if (const std::optional<Message> failure = put_files(files, arguments.force, console))
     return console.refuse(ExitCode::kIo, text::text_of(*failure, with_options));
   for (std::size_t i = 0; i < 2; ++i) {
-    if (!images.at(i).empty())
-      done.images.at(i) =
-          remap_images(side_of(arguments, i), images.at(i), done.result.cameras.at(i), done.result.maps.at(i), console);
+    if (images.at(i).empty()) continue;
+    done.images.at(i) =
+        remap_images(side_of(arguments, i), images.at(i), done.result.cameras.at(i), done.result.maps.at(i), console);
   }
   return tell(arguments, done, console);
 }

@@ -5,6 +5,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/pair_fit.h>
+#include <fca/rectify/rectify.h>
 
 #include <array>
 #include <optional>
@@ -42,9 +43,13 @@ bool fit_as_pair(const Rig& input, const Format& to, const ModelChoice& choice, 
     return false;
   }
   const std::array<ConvertedCamera*, 2> both = {&cameras[pair->first], &cameras[pair->second]};
+  RectifyOptions rectifying;
+  rectifying.valid_regions = false;
+  if (!rectify(both[0]->source, both[1]->source, pair->T_second_first, rectifying, diagnostics)) return false;
   const std::optional<SeparateFit> first = separate_fit(*both[0], to, choice);
   const std::optional<SeparateFit> second = separate_fit(*both[1], to, choice);
-  std::optional<PairFit> fit = first && second ? fit_pair({*first, *second}, pair->T_second_first) : std::nullopt;
+  std::optional<PairFit> fit =
+      first && second ? fit_pair({*first, *second}, pair->T_second_first, to.extrinsics && !to.facts_apart) : std::nullopt;
   if (!fit) {
     diagnostics.add(Code::kPairFitDoesNotHelp, {both[0]->source.name, both[1]->source.name});
     return true;

@@ -27,12 +27,13 @@ void turn_poses(const std::vector<ConvertedCamera>& cameras, Rig& rig) {
   }
 }
 
-void tell_of_turns(const Rig& input, const std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics) {
+void tell_of_turns(const std::vector<PoseEdge>& written, const std::vector<ConvertedCamera>& cameras,
+                   Diagnostics& diagnostics) {
   for (const ConvertedCamera& camera : cameras) {
     if (!camera.report) continue;
     const std::string& name = camera.target.name;
     const bool has_pose =
-        std::ranges::any_of(input.poses, [&name](const PoseEdge& edge) { return edge.a == name || edge.b == name; });
+        std::ranges::any_of(written, [&name](const PoseEdge& edge) { return edge.a == name || edge.b == name; });
     if (const std::optional<AbsorbedTurn>& turn = camera.report->turn) {
       const auto [x, y, z] = rotation_vector(turn->T_target_source);
       const double angle_deg = std::hypot(x, y, z) * 180.0 / std::numbers::pi;

@@ -172,7 +172,6 @@ bool Writing::fit() {
   result_.cameras = *std::move(cameras);
   if (!share_lens(request_, *result_.to, choice_.most_cameras, result_.cameras, result_.diagnostics)) return false;
   if (!fit_as_pair(input_.rig, *result_.to, choice_, result_.cameras, result_.diagnostics)) return false;
-  tell_of_turns(input_.rig, result_.cameras, result_.diagnostics);
   if (request_.in_detail) add_reach(*result_.to, choice_, result_.cameras);
   add_uncertainties(input_.rig, request_, result_.cameras);
   return put_together();
@@ -212,6 +211,7 @@ bool Writing::place() {
   result_.headline = written_.headline;
   result_.mode = written_.sensor;
   result_.poses = written_.poses;
+  tell_of_turns(result_.poses, result_.cameras, result_.diagnostics);
   result_.losses = written_.losses;
   result_.defaults = written_.defaults;
   for (const Written::File& file : written_.files) {

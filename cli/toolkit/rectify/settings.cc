@@ -54,6 +54,8 @@ Rig rig_of_cameras(const RectifyResult& result) {
   Rig rig;
   rig.cameras = {result.cameras[0], result.cameras[1]};
   rig.rectified = result.pair;
+  rig.rectified->sources.clear();
+  for (std::size_t i = 0; i < 2; ++i) rig.rectified->views.at(i).camera = result.cameras.at(i).name;
   rig.poses = {{result.cameras[1].name, result.cameras[0].name, result.T_second_first}};
   // Where the two contradict each other, the file's rectification is what the images are made by.
   if (!states_rectification(rig)) rig.poses.front().T_a_b = pose_of(result.pair);

@@ -54,10 +54,11 @@ class CompressedCost {
   }
 
  private:
+  [[nodiscard]] std::size_t rows() const { return kSize == Eigen::Dynamic ? count_ + 1 : static_cast<std::size_t>(kSize) + 1; }
+
   void compress(const NormalEquations& sums, double* residuals, double* jacobian) const {
-    // Column-major: element (row i of L', column j) = L_ji is jacobian[j * rows + i].
-    const std::size_t rows = kSize == Eigen::Dynamic ? count_ + 1 : kSize + 1;
-    const auto lower = [jacobian, rows](std::size_t j, std::size_t i) -> double& { return jacobian[j * rows + i]; };
+    // Column-major: element (row i of L', column j) = L_ji is jacobian[j * rows() + i].
+    const auto lower = [this, jacobian](std::size_t j, std::size_t i) -> double& { return jacobian[j * rows() + i]; };
     double rest = sums.cost;
     for (std::size_t i = 0; i < count_; ++i) {
       double pivot = sums.hessian[i * count_ + i];

@@ -28,9 +28,10 @@ std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples,
   if (!jacobian) return std::nullopt;
   const std::vector<Eigen::Index> free = free_columns(fitted.model, fitted.at_bound, ranges);
   const auto parameters = static_cast<Eigen::Index>(free.size());
-  Eigen::MatrixXd slopes(jacobian->columns.rows(), parameters + 3);
+  const Eigen::Index count = angles_of(fitted.model);
+  Eigen::MatrixXd slopes(jacobian->columns.rows(), parameters + count);
   slopes.leftCols(parameters) = jacobian->columns(Eigen::all, free);
-  if (!put_slopes_of_angles(fitted.model, samples, Eigen::Vector3d::Zero(), slopes.rightCols(3))) return std::nullopt;
+  if (!put_slopes_of_angles(fitted.model, samples, Eigen::Vector3d::Zero(), slopes.rightCols(count))) return std::nullopt;
   // Coefficients of high powers have columns of other lengths than focal lengths.
   const Eigen::VectorXd lengths = slopes.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
   slopes = slopes * lengths.cwiseInverse().asDiagonal();
@@ -41,7 +42,8 @@ std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples,
   solver.compute(slopes);
   const Eigen::VectorXd solution = solver.solve(-jacobian->residuals);
   if (!solution.allFinite()) return std::nullopt;
-  const Eigen::Vector3d angles = solution.tail<3>().cwiseQuotient(lengths.tail<3>());
+  Eigen::Vector3d angles = Eigen::Vector3d::Zero();
+  angles.head(count) = solution.tail(count).cwiseQuotient(lengths.tail(count));
   return Step{angles, (jacobian->residuals + slopes * solution).norm()};
 }
 

@@ -21,10 +21,19 @@ std::vector<Correspondence> turned(std::span<const Correspondence> samples, cons
   return result;
 }
 
+Eigen::Index angles_of(const CameraModel& model) {
+  const std::span<const Parameter> parameters = model_info(model).parameters;
+  const auto has = [&parameters](std::string_view name) {
+    return std::ranges::find(parameters, name, &Parameter::name) != parameters.end();
+  };
+  constexpr Eigen::Index kTilt = 2;
+  return has("c") && has("d") && has("e") ? kTilt : 3;
+}
+
 bool put_slopes_of_angles(const CameraModel& model, std::span<const Correspondence> samples, const Eigen::Vector3d& angles,
                           Eigen::Ref<Eigen::MatrixXd> columns) {
   constexpr double kStep = 1e-6;  // rad
-  for (int axis = 0; axis < 3; ++axis) {
+  for (Eigen::Index axis = 0; axis < columns.cols(); ++axis) {
     const Eigen::Vector3d along = kStep * Eigen::Vector3d::Unit(axis);
     const std::optional<Eigen::VectorXd> before = residuals_of(model, turned(samples, rotation_by(angles - along)));
     const std::optional<Eigen::VectorXd> after = residuals_of(model, turned(samples, rotation_by(angles + along)));

@@ -16,8 +16,12 @@ namespace fca::internal {
 /// The same pixels with their rays turned.
 [[nodiscard]] std::vector<Correspondence> turned(std::span<const Correspondence> samples, const Eigen::Matrix3d& R);
 
-/// Puts into `columns` the derivatives of the turned samples' pixels by the three numbers of the rotation vector `angles`
-/// [rad], in rows like those of a PixelJacobian; false where a ray has no pixel.
+/// The angles by which a camera is turned: three, or the two that tilt its axis where the model has an affine part (c, d, e of
+/// ocamcalib), in which a turn about the axis hides.
+[[nodiscard]] Eigen::Index angles_of(const CameraModel& model);
+
+/// Puts into `columns` the derivatives of the turned samples' pixels by the first numbers of the rotation vector
+/// `angles` [rad], one for each column, in rows like those of a PixelJacobian; false where a ray has no pixel.
 [[nodiscard]] bool put_slopes_of_angles(const CameraModel& model, std::span<const Correspondence> samples,
                                         const Eigen::Vector3d& angles, Eigen::Ref<Eigen::MatrixXd> columns);
 

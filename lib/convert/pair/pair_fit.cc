@@ -32,17 +32,16 @@ using internal::CameraOfPair;
 using internal::Matches;
 using internal::PixelJacobian;
 
-constexpr Index kAngles = 3;
 /// A row by which matches differ counts as so many pixels of a camera.
 constexpr double kWeightOfRows = 3.0;
 
 /// One camera's part of the unknowns: the parameters that a fit may move, then the angles by which it is turned.
 struct Unknowns {
   std::vector<Index> parameters;
-  bool turns = false;
+  Index angles = 0;
   Index first = 0;
 
-  [[nodiscard]] Index count() const { return static_cast<Index>(parameters.size()) + (turns ? kAngles : 0); }
+  [[nodiscard]] Index count() const { return static_cast<Index>(parameters.size()) + angles; }
 };
 
 /// A camera as it is being fitted.
@@ -50,7 +49,8 @@ struct State {
   CameraModel model;
   Eigen::Vector3d angles = Eigen::Vector3d::Zero();
 
-  [[nodiscard]] Transform T_target_source() const { return internal::transform_of(internal::rotation_by(angles)); }
+  /// T_target_source, a rotation.
+  [[nodiscard]] Transform turn() const { return internal::transform_of(internal::rotation_by(angles)); }
 };
 
 class Problem {
@@ -61,8 +61,8 @@ class Problem {
     for (std::size_t i = 0; i < 2; ++i) {
       const Conversion& conversion = fits.at(i).conversion;
       Unknowns& unknowns = unknowns_.at(i);
-      unknowns = {internal::free_columns(conversion.camera.model, conversion.report.at_bound, fits.at(i).options.ranges), turns,
-                  i == 0 ? 0 : unknowns_[0].count()};
+      unknowns = {internal::free_columns(conversion.camera.model, conversion.report.at_bound, fits.at(i).options.ranges),
+                  turns ? internal::angles_of(conversion.camera.model) : 0, i == 0 ? 0 : unknowns_[0].count()};
     }
   }
 
@@ -84,7 +84,8 @@ class Problem {
     for (std::size_t i = 0; i < 2; ++i) {
       const std::span<const double> parameters = parameter_values(states.at(i).model);
       for (const Index each : unknowns_.at(i).parameters) values.push_back(parameters[static_cast<std::size_t>(each)]);
-      if (unknowns_.at(i).turns) values.insert(values.end(), states.at(i).angles.begin(), states.at(i).angles.end());
+      const Eigen::Vector3d& angles = states.at(i).angles;
+      values.insert(values.end(), angles.begin(), angles.begin() + unknowns_.at(i).angles);
     }
     return values;
   }
@@ -94,9 +95,7 @@ class Problem {
     for (std::size_t i = 0; i < 2; ++i) {
       const std::span<double> parameters = parameter_values(states.at(i).model);
       for (const Index each : unknowns_.at(i).parameters) parameters[static_cast<std::size_t>(each)] = *at++;
-      if (!unknowns_.at(i).turns) continue;
-      states.at(i).angles = Eigen::Vector3d(at[0], at[1], at[2]);
-      at += kAngles;
+      for (Index axis = 0; axis < unknowns_.at(i).angles; ++axis) states.at(i).angles[axis] = *at++;
     }
     return states;
   }
@@ -110,7 +109,7 @@ class Problem {
     if (!all) return std::nullopt;
     PixelJacobian own{MatrixXd(all->columns.rows(), unknowns.count()), std::move(all->residuals)};
     own.columns.leftCols(static_cast<Index>(unknowns.parameters.size())) = all->columns(Eigen::all, unknowns.parameters);
-    if (unknowns.turns && !internal::put_slopes_of_angles(state.model, samples, state.angles, own.columns.rightCols(kAngles)))
+    if (!internal::put_slopes_of_angles(state.model, samples, state.angles, own.columns.rightCols(unknowns.angles)))
       return std::nullopt;
     return own;
   }
@@ -178,9 +177,9 @@ std::optional<CameraOfPair> of_pair(const SeparateFit& fit) {
 
 std::optional<PairError> error_of(const std::array<SeparateFit, 2>& fits, const std::array<State, 2>& states,
                                   const Transform& T_second_first) {
-  const std::optional<Transform> T_source_target = inverse(states[0].T_target_source());
+  const std::optional<Transform> T_source_target = inverse(states[0].turn());
   if (!T_source_target) return std::nullopt;
-  const Transform T_meant = states[1].T_target_source() * T_second_first * *T_source_target;
+  const Transform T_meant = states[1].turn() * T_second_first * *T_source_target;
   return pair_error({fits[0].source, states[0].model}, {fits[1].source, states[1].model}, T_second_first, T_meant);
 }
 
@@ -189,7 +188,7 @@ std::optional<Conversion> conversion_to(const SeparateFit& fit, const State& sta
   Diagnostics told_already;
   const std::optional<Domain> domain = domain_of(fit.source, fit.options.max_angle_rad, told_already);
   if (!domain) return std::nullopt;
-  const Transform T_target_source = state.T_target_source();
+  const Transform T_target_source = state.turn();
   const bool is_turned = !state.angles.isZero();
   const Projection image_of = [&](const Ray& ray) { return project(state.model, rotated(T_target_source, ray)); };
   Conversion result = fit.conversion;
@@ -209,7 +208,7 @@ std::optional<Conversion> conversion_to(const SeparateFit& fit, const State& sta
 
 }  // namespace
 
-std::optional<PairFit> fit_pair(const std::array<SeparateFit, 2>& cameras, const Transform& T_second_first) {
+std::optional<PairFit> fit_pair(const std::array<SeparateFit, 2>& cameras, const Transform& T_second_first, bool may_turn) {
   if (std::ranges::any_of(cameras, [](const SeparateFit& each) { return each.conversion.report.exact; })) return std::nullopt;
   const std::array<State, 2> start = {State{cameras[0].conversion.camera.model}, State{cameras[1].conversion.camera.model}};
   const std::optional<PairError> before = error_of(cameras, start, T_second_first);
@@ -226,7 +225,9 @@ std::optional<PairFit> fit_pair(const std::array<SeparateFit, 2>& cameras, const
   };
   Candidate best{start, *before};
   constexpr double kWorthATurn = 0.9;
+  constexpr double kVisible = 0.02;  // px
   for (const bool turns : {false, true}) {
+    if (turns && (!may_turn || best.error.rms_px() < kVisible)) continue;
     const std::optional<std::array<State, 2>> found = Problem(cameras, counted, matches, turns).solve(best.states);
     const std::optional<PairError> error = found ? error_of(cameras, *found, T_second_first) : std::nullopt;
     const double enough = (turns ? kWorthATurn : 1.0) * best.error.rms_px();

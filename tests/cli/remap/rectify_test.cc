@@ -389,6 +389,18 @@ TEST(Rectify, SettingsHaveTheCameraThatTheFileStates) {
   }
 }
 
+TEST(Rectify, FilesThatStateTheirCamerasAreWrittenToEveryFormat) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("chain.yaml", chain(narrow()));
+  const std::string orbslam2 = folder / "orbslam2.yaml";
+  ASSERT_EQ(Told({"rectify", file, "--to", "orbslam2", "-o", orbslam2}).code(), 0);
+  for (const std::string format : {"opencv", "ros", "orbslam3", "orbslam2"}) {
+    const Told told({"rectify", orbslam2, "--to", format, "-o", folder / (format + "/")});
+    EXPECT_EQ(told.code(), 0) << format << told.text();
+    EXPECT_TRUE(told.json()["pair"]["stated"].GetBool());
+  }
+}
+
 TEST(Rectify, AViewThatIsAskedForIsComputed) {
   const Pair pair = narrow();
   const TemporaryFolder folder;
@@ -504,11 +516,19 @@ TEST(Rectify, StereoFeelsLessOfAFitOfBoth) {
   EXPECT_TRUE(together.says("pair-fitted"));
   EXPECT_LT(together.json()["pair"]["epipolar_rms_px"].GetDouble(),
             0.8 * separate.json()["pair"]["epipolar_rms_px"].GetDouble());
-  EXPECT_EQ(told({"--pair", "--absorb-rotation"}).code(), 2);
-  EXPECT_EQ(told({"--pair", "--fix", "alpha=0.6"}).code(), 2);
-  EXPECT_EQ(told({"--pair", "--objective", "max"}).code(), 2);
-  EXPECT_EQ(told({"--pair", "--weight", "angle"}).code(), 2);
-  EXPECT_EQ(told({"--pair", "--camera", "cam0"}).code(), 2);
+  EXPECT_EQ(told({"--pair", "--absorb-rotation"}).code(), 3);
+  EXPECT_EQ(told({"--pair", "--fix", "alpha=0.6"}).code(), 3);
+  EXPECT_EQ(told({"--pair", "--objective", "max"}).code(), 3);
+  EXPECT_EQ(told({"--pair", "--weight", "angle"}).code(), 3);
+  EXPECT_EQ(told({"--pair", "--camera", "cam0"}).code(), 3);
+  // No pose is written that could hold a turn.
+  const Told without_poses({"convert", file, "--to", "vins", "--model", "mei", "--max-angle", "80", "--pair", "--dry-run"});
+  EXPECT_FALSE(without_poses.says("turned-into-pose")) << without_poses.text();
+  Pair other_size = wide();
+  std::string sizes = chain(other_size);
+  sizes.replace(sizes.rfind("[512, 512]"), 10, "[640, 480]");
+  const Told uneven({"convert", folder.write("sizes.yaml", sizes), "--to", "kalibr", "--model", "eucm", "--pair", "--dry-run"});
+  EXPECT_EQ(uneven.code(), 2) << uneven.text();
   const Told kept({"convert", file, "--to", "kalibr", "--pair", "--dry-run"});
   EXPECT_EQ(kept.code(), 0) << kept.text();
   EXPECT_TRUE(kept.says("pair-fit-does-not-help"));

@@ -55,6 +55,20 @@ std::vector<Camera> tilted_lenses() {
           make_camera(Intrinsics<Mei>{{800, 801, 512, 500, 1.1, -0.05, 0.02, 0.003, -0.004}}, {1024, 1024})};
 }
 
+// c, d and e can turn the image: a turn about the axis would be any number.
+TEST(Turn, IsATiltWhereTheModelHasAnAffinePart) {
+  for (const Camera& camera : tilted_lenses()) {
+    Diagnostics diagnostics;
+    ConvertOptions options = turned_to("ocamcalib");
+    options.degree = 4;
+    const std::optional<Conversion> found = convert(camera, options, diagnostics);
+    ASSERT_TRUE(found);
+    if (!found->report.turn) continue;
+    const std::array<double, 3> vector = rotation_vector(found->report.turn->T_target_source);
+    EXPECT_LT(std::abs(vector[2]), 1e-3 * std::hypot(vector[0], vector[1]) + 1e-6);
+  }
+}
+
 TEST(Turn, OfAKnownLensIsFound) {
   const Camera lens = make_camera(Intrinsics<Kb4>{{280, 282, 320, 240, -0.01, 0.004, -0.002, 0.0003}}, {640, 480});
   const Transform T_frame_camera = turn_by(0.01, -0.02, 0.015);

@@ -25,9 +25,10 @@ struct PairFit {
 
 /// Starts at the two fits and minimises the sum of squares of both cameras' pixel errors and, nine times as much, of the rows
 /// by which matches differ after rectification, of points at infinity and at ten baselines, up to 60 deg from the rectified
-/// axes. What both cameras are off alike makes no difference. The cameras are turned, too, where that makes the pair's error
-/// (PairError) at least a tenth smaller than a fit without turns. Nothing where a camera's conversion is exact, where the pair
-/// cannot be rectified, or where the pair's error does not become smaller.
-[[nodiscard]] std::optional<PairFit> fit_pair(const std::array<SeparateFit, 2>& cameras, const Transform& T_second_first);
+/// axes. What both cameras are off alike makes no difference. With `may_turn` the cameras are turned, too, where a pair's error
+/// (PairError) above 0.02 px becomes at least a tenth smaller than without turns. Nothing where a camera's conversion is exact,
+/// where the pair cannot be rectified, or where the pair's error does not become smaller.
+[[nodiscard]] std::optional<PairFit> fit_pair(const std::array<SeparateFit, 2>& cameras, const Transform& T_second_first,
+                                              bool may_turn = true);
 
 }  // namespace fca
