@@ -4,6 +4,7 @@
 
 #include <fca/diagnostics.h>
 #include <fca/formats/text/source.h>
+#include <fca/remap/image_map.h>
 #include <fca/rig/rig.h>
 #include <fca/toolkit/inputs.h>
 
@@ -26,6 +27,7 @@ void add_cameras(py::module_& module);
 void add_rigs(py::module_& module);
 void add_fit(py::module_& module);
 void add_maps(py::module_& module);
+void add_rectify(py::module_& module);
 void add_convert(py::module_& module);
 void add_check(py::module_& module);
 void add_compare(py::module_& module);
@@ -39,9 +41,15 @@ using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 [[nodiscard]] Array rows_like(const Array& like, py::ssize_t columns);
 /// 4 x 4.
 [[nodiscard]] Array matrix_of(const Transform& transform);
+/// Its 3 x 3 part.
+[[nodiscard]] Array rotation_of(const Transform& transform);
+/// (u, v), as cv2.remap takes them: float32 (height, width). Far outside where there is no place.
+[[nodiscard]] py::tuple as_maps(const ImageMap& map);
 
 /// Raises fca_io.Error of the first error.
 [[noreturn]] void raise(const Diagnostics& diagnostics, std::span<const text::Source> sources = {});
+/// Texts of the warnings.
+[[nodiscard]] std::vector<std::string> warnings_of(const Diagnostics& diagnostics);
 /// Raises ValueError.
 [[noreturn]] void raise_value_error(const std::string& message);
 

@@ -145,10 +145,11 @@ Pixels are (u, v), with (0, 0) at the centre of the top-left pixel. Rays are (x 
       .def(py::init(&camera_of), py::arg("model"), py::arg("parameters"), py::arg("image_size") = py::none(),
            py::arg("name") = "cam0",
            "A camera of a model ('kb4') with parameters by name ({'fx': 190.0, ...}); those left out are 0.")
-      .def_static("from_opencv", &from_opencv, py::arg("K"), py::arg("D"), py::arg("image_size") = py::none(),
-                  py::arg("model") = "", py::arg("name") = "cam0",
-                  "A camera from OpenCV's matrix (3, 3) and coefficients: 0, 4, 5 or 8 of cv2.projectPoints, or four of "
-                  "cv2.fisheye with model='kb4'.")
+      .def_static(
+          "from_opencv", &from_opencv, py::arg("K"), py::arg("D"), py::arg("image_size") = py::none(), py::arg("model") = "",
+          py::arg("name") = "cam0",
+          "A camera from OpenCV's matrix (3, 3) and coefficients: 0, 4, 5, 8, 12 or 14 of cv2.projectPoints, or four of "
+          "cv2.fisheye with model='kb4'.")
       .def("to_opencv", &to_opencv, "(K, D) as cv2 takes them: of kb4 for cv2.fisheye. ValueError for other models.")
       .def_readonly("name", &Camera::name, "By which the rig and its poses know it.")
       .def_property_readonly(
@@ -156,12 +157,12 @@ Pixels are (u, v), with (0, 0) at the centre of the top-left pixel. Rays are (x 
       .def_property_readonly("parameters", &parameters_of, "By name, in the model's order.")
       .def_property_readonly("image_size", &size_as_pair, "(width, height), or None where no input contains it.")
       .def_readonly("time_offset", &Camera::time_offset_s, "Seconds: t_imu = t_cam + time_offset. None: not given.")
-      .def_readonly("topic", &Camera::topic)
+      .def_readonly("topic", &Camera::topic, "Of its images in ROS; may be empty.")
       .def_property_readonly(
           "max_angle", [](const Camera& camera) { return max_angle(camera.model) * kDegreesPerRadian; },
           "Degrees from the axis at which the model ends.")
       .def("project", &project_rows, py::arg("points"),
-           "Pixels (N, 2) of points (N, 3) in front of or around the camera; NaN where the model has none. One point gives one "
+           "pixels (N, 2) of points (N, 3), of any length; NaN where the model has none. One point gives one "
            "pixel.")
       .def("unproject", &unproject_rows, py::arg("pixels"),
            "Unit rays (N, 3) of pixels (N, 2); NaN where the model has none. One pixel gives one ray.")

@@ -71,16 +71,19 @@ std::optional<int> column_of(const PlacedFinding& finding) {
 
 void add_check(py::module_& module) {
   py::class_<PlacedFinding>(module, "Finding", "Something that is, or may be, wrong with a file.")
-      .def_property_readonly("code", [](const PlacedFinding& each) { return id_of(each.finding); })
+      .def_property_readonly(
+          "code", [](const PlacedFinding& each) { return id_of(each.finding); }, "'pose-inverted', ...")
       .def_property_readonly(
           "severity", [](const PlacedFinding& each) { return std::string(name_of(each.finding.severity)); },
           "'error', 'warning' or 'note'")
-      .def_property_readonly("text", [](const PlacedFinding& each) { return message_of(each.finding); })
+      .def_property_readonly(
+          "text", [](const PlacedFinding& each) { return message_of(each.finding); }, "What is wrong.")
       .def_property_readonly(
           "consequence", [](const PlacedFinding& each) { return consequence_of(each.finding); },
           "What happens if the file is used as it is.")
-      .def_property_readonly("fix", [](const PlacedFinding& each) { return fix_of(each.finding); })
-      .def_readonly("file", &PlacedFinding::file)
+      .def_property_readonly(
+          "fix", [](const PlacedFinding& each) { return fix_of(each.finding); }, "What to do; may be empty.")
+      .def_readonly("file", &PlacedFinding::file, "Path.")
       .def_property_readonly("line", &line_of, "From 1; None: no place.")
       .def_property_readonly("column", &column_of, "In characters, from 1.")
       .def("__repr__", [](const PlacedFinding& each) {
@@ -90,7 +93,9 @@ void add_check(py::module_& module) {
       .def_property_readonly(
           "verdict", [](const Check& each) { return std::string(name_of(each.result.report.verdict.word)); },
           "'ready', 'use-with-care' or 'do-not-use'")
-      .def_property_readonly("reasons", [](const Check& each) { return each.result.report.verdict.reasons; })
+      .def_property_readonly(
+          "reasons", [](const Check& each) { return each.result.report.verdict.reasons; },
+          "Why it is less than ready: a list of Reason.")
       .def_property_readonly(
           "format",
           [](const Check& each) {
@@ -98,7 +103,7 @@ void add_check(py::module_& module) {
             return format != nullptr ? std::optional(std::string(format->id)) : std::nullopt;
           },
           "None: no format that fca-io knows.")
-      .def_property_readonly("findings", &findings_of);
+      .def_property_readonly("findings", &findings_of, "A list of Finding, in the order of the file.");
   module.def("check", &check_source, py::arg("source"), py::kw_only(), py::arg("image_size") = py::none(),
              py::arg("ignore") = std::vector<std::string>(),
              "Is a calibration file sane? What is wrong, where, what happens if it is used, and how to fix it.");

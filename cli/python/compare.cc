@@ -85,8 +85,10 @@ void add_compare(py::module_& module) {
   py::class_<CameraComparison>(module, "CameraComparison", "Two cameras, in pixels of the reference's image.")
       .def_readonly("reference", &CameraComparison::reference, "Name.")
       .def_readonly("other", &CameraComparison::other, "Name.")
-      .def_readonly("identical", &CameraComparison::identical)
-      .def_property_readonly("error", [](const CameraComparison& each) { return each.difference.judgement.error; })
+      .def_readonly("identical", &CameraComparison::identical, "The same pixels, but for rounding.")
+      .def_property_readonly(
+          "error", [](const CameraComparison& each) { return each.difference.judgement.error; },
+          "PixelError over the whole image.")
       .def_property_readonly(
           "decisive_error", [](const CameraComparison& each) { return each.decisive().judgement.error; },
           "PixelError that counts: in focus, and without a turn that the poses cancel.")
@@ -100,26 +102,26 @@ void add_compare(py::module_& module) {
       .def_readonly("turn_cancels", &CameraComparison::turn_cancels, "The other's poses turn back by what its lens is turned.")
       .def_property_readonly("differing", &differing, "(parameter, reference's, other's) of those that differ.");
   py::class_<PoseComparison>(module, "PoseComparison", "How the same two things sit to each other in the two rigs.")
-      .def_readonly("a", &PoseComparison::a)
-      .def_readonly("b", &PoseComparison::b)
+      .def_readonly("a", &PoseComparison::a, "Name of a camera or an IMU.")
+      .def_readonly("b", &PoseComparison::b, "Name of another one.")
       .def_property_readonly(
           "angle", [](const PoseComparison& each) { return each.angle_rad * kDegreesPerRadian; }, "Degrees.")
       .def_readonly("distance", &PoseComparison::distance_m, "Metres.");
   py::class_<RigComparison>(module, "Comparison", "How two calibrations differ.")
-      .def_readonly("cameras", &RigComparison::cameras)
-      .def_readonly("poses", &RigComparison::poses)
-      .def_property_readonly("identical", &RigComparison::identical)
+      .def_readonly("cameras", &RigComparison::cameras, "A list of CameraComparison.")
+      .def_readonly("poses", &RigComparison::poses, "A list of PoseComparison.")
+      .def_property_readonly("identical", &RigComparison::identical, "All cameras and poses are, but for rounding.")
       .def_property_readonly("mistakes", &mistakes_of, "Common mistakes that explain a difference.");
   module.def("compare", &compare_sources, py::arg("reference"), py::arg("other"), py::kw_only(),
              py::arg("max_angle") = py::none(), py::arg("focus") = py::none(), py::arg("distance") = py::none(),
              "How two calibrations, of any formats and models, differ: paths or Rigs. focus: degrees from the axis up to which "
              "rays count; distance: of the points, metres.");
   py::class_<ModelRow>(module, "ModelFit", "One camera model as a target.")
-      .def_readonly("model", &ModelRow::model)
+      .def_readonly("model", &ModelRow::model, "'kb4', 'ds', ...")
       .def_readonly("error", &ModelRow::error, "PixelError over the whole image.")
       .def_readonly("decisive_rms", &ModelRow::decisive_rms, "Pixels, in the region that decides: of a wide lens its circle.")
-      .def_readonly("exact", &ModelRow::exact)
-      .def_readonly("reaches_all", &ModelRow::reaches_all);
+      .def_readonly("exact", &ModelRow::exact, "The model contains the camera: the same pixels by construction.")
+      .def_readonly("reaches_all", &ModelRow::reaches_all, "It has a pixel for all that the image shows.");
   module.def("models", &models_of, py::arg("camera"), py::kw_only(), py::arg("max_angle") = py::none(),
              "Every model that the camera could be written as, the best first.");
 }

@@ -35,6 +35,14 @@ void raise(const Diagnostics& diagnostics, std::span<const text::Source> sources
   throw py::error_already_set();
 }
 
+std::vector<std::string> warnings_of(const Diagnostics& diagnostics) {
+  std::vector<std::string> texts;
+  for (const Diagnostic& entry : diagnostics.entries()) {
+    if (entry.severity == Severity::kWarning) texts.push_back(message_of(entry));
+  }
+  return texts;
+}
+
 void raise_value_error(const std::string& message) { throw py::value_error(message); }
 
 }  // namespace fca::python

@@ -56,15 +56,16 @@ Fit fit(const py::object& source, const std::string& model, const std::optional<
 
 void add_fit(py::module_& module) {
   py::class_<ErrorSummary>(module, "PixelError", "Distances between two cameras' pixels of the same rays, in pixels.")
-      .def_readonly("rms", &ErrorSummary::rms)
-      .def_readonly("mean", &ErrorSummary::mean)
+      .def_readonly("rms", &ErrorSummary::rms, "Root mean square.")
+      .def_readonly("mean", &ErrorSummary::mean, "Mean distance.")
       .def_readonly("p99", &ErrorSummary::p99, "99th percentile")
-      .def_readonly("max", &ErrorSummary::max)
+      .def_readonly("max", &ErrorSummary::max, "The largest, between the pixels, too.")
       .def_readonly("max_at", &ErrorSummary::max_at, "The pixel (u, v) of the source where it is.")
       .def_readonly("bound", &ErrorSummary::bound, "No error is larger, between the pixels, too: proven. inf: nothing is.");
   py::class_<Fit>(module, "Fit", "A fitted camera, and how far it is from its source.")
-      .def_readonly("camera", &Fit::camera)
-      .def_property_readonly("error", [](const Fit& fit) { return fit.report.judgement.error; })
+      .def_readonly("camera", &Fit::camera, "Of the model that was asked for.")
+      .def_property_readonly(
+          "error", [](const Fit& fit) { return fit.report.judgement.error; }, "PixelError.")
       .def_property_readonly(
           "weighted_rms",
           [](const Fit& fit) { return fit.report.weighted ? std::optional(fit.report.weighted->rms_px) : std::nullopt; },
@@ -85,11 +86,15 @@ void add_fit(py::module_& module) {
              py::kw_only(), py::arg("image_size") = py::none(), py::arg("weight") = "pixel",
              R"(Fits a model, without images, at the least-squares optimum in pixels.
 
-source: a Camera, whose whole image counts; a function from pixels (N, 2) to rays (N, 3), with NaN where it sees nothing, over
-an image of image_size = (width, height); or a pair of arrays (rays, pixels), each row of which counts alike. max_angle: degrees
-from the axis that count as lens. objective: 'rms', or 'max' for the smallest largest error of a Camera. weight: 'pixel', or
-'angle' for a Camera's directions to count alike. Only a Camera's error
-has a bound: a function and a table are known at points alone.)");
+source              a Camera, whose whole image counts; a function from pixels (N, 2) to rays (N, 3), NaN where it sees nothing;
+                    or a pair of arrays, rays (N, 3) and pixels (N, 2), each row of which counts alike
+model               'kb4', 'ds', ...
+max_angle           what counts as lens, degrees from the axis; the whole image
+objective           'rms', or 'max' for the smallest largest error, of a Camera
+image_size          (width, height), of a function; of a table it may be left out
+weight              'pixel', or 'angle' for directions to count alike, of a Camera
+
+Only a Camera's error has a bound: a function and a table are known at points alone.)");
 }
 
 }  // namespace fca::python

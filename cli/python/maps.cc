@@ -34,10 +34,12 @@ bool is_rotation(const Array& matrix) {
   return rotation_determinant(T) > 0.0 && rotation_defect(T) <= kRounding;
 }
 
+/// Far outside of any image: cv2.remap takes no "not a number" for it.
+constexpr float kOutside = -1e4F;
+
 /// A row of the target's pixels in the source's image. Where there is none, far outside.
 void map_row(const Camera& source, const Camera& target, const std::optional<Array>& rotation, std::size_t row,
              std::span<float> u, std::span<float> v) {
-  constexpr float kOutside = -1e4F;
   std::vector<double> pixels(2 * u.size());
   for (std::size_t column = 0; column < u.size(); ++column) {
     pixels[2 * column] = static_cast<double>(column);
@@ -75,6 +77,20 @@ py::tuple undistort_maps(const Camera& source, const Camera& target, const std::
 }
 
 }  // namespace
+
+py::tuple as_maps(const ImageMap& map) {
+  const std::vector<py::ssize_t> shape = {map.size.height, map.size.width};
+  Map u(shape);
+  Map v(shape);
+  float* const first_u = u.mutable_data();
+  float* const first_v = v.mutable_data();
+  for (std::size_t i = 0; 2 * i + 1 < map.uv.size(); ++i) {
+    const bool is_there = std::isfinite(map.uv[2 * i]) && std::isfinite(map.uv[2 * i + 1]);
+    first_u[i] = is_there ? map.uv[2 * i] : kOutside;
+    first_v[i] = is_there ? map.uv[2 * i + 1] : kOutside;
+  }
+  return py::make_tuple(u, v);
+}
 
 void add_maps(py::module_& module) {
   module.def(

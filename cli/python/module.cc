@@ -26,6 +26,15 @@ Array matrix_of(const Transform& transform) {
   return matrix;
 }
 
+Array rotation_of(const Transform& transform) {
+  Array matrix(std::vector<py::ssize_t>{3, 3});
+  double* const values = matrix.mutable_data();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) values[3 * row + column] = transform(row, column);
+  }
+  return matrix;
+}
+
 std::optional<ImageSize> size_of(const std::optional<Size>& size) {
   if (!size) return std::nullopt;
   if (size->first < 1 || size->second < 1) raise_value_error("image_size is (width, height), both at least 1");
@@ -55,12 +64,17 @@ Inputs inputs_of(const py::object& source) {
 }  // namespace fca::python
 
 PYBIND11_MODULE(_native, module) {
+  // Classes and signatures are named as people import them.
+  const pybind11::object name = module.attr("__name__");
+  module.attr("__name__") = "fca_io";
   module.attr("__version__") = FCA_VERSION;
   fca::python::add_cameras(module);
   fca::python::add_rigs(module);
   fca::python::add_fit(module);
   fca::python::add_maps(module);
+  fca::python::add_rectify(module);
   fca::python::add_convert(module);
   fca::python::add_check(module);
   fca::python::add_compare(module);
+  module.attr("__name__") = name;
 }

@@ -1,44 +1,76 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bindings.h"
+#include "request_words.h"
 
 #include <fca/formats/text/message.h>
 #include <fca/toolkit/read.h>
 
 #include <algorithm>
+#include <array>
+#include <tuple>
 
 namespace fca::python {
 
 namespace {
 
-const Format* format_named(const std::optional<std::string>& name) {
-  if (!name) return nullptr;
-  if (const Format* format = find_format(*name)) return format;
-  raise_value_error("unknown format '" + *name + "'");
+void take_format(const Value& value, Inputs& inputs) {
+  const auto name = value.as<std::string>();
+  inputs.format = find_format(name);
+  if (inputs.format == nullptr) raise_value_error("unknown format '" + name + "'");
 }
 
-OpenCvModel opencv_model_named(const std::string& name) {
-  if (name == "pinhole") return OpenCvModel::kPinhole;
-  if (name == "fisheye") return OpenCvModel::kFisheye;
-  raise_value_error("opencv_model is 'pinhole' or 'fisheye'");
+void take_opencv_model(const Value& value, Inputs& inputs) {
+  const auto name = value.as<std::string>();
+  for (const OpenCvModel model : {OpenCvModel::kPinhole, OpenCvModel::kFisheye}) {
+    if (name == name_of(model)) inputs.opencv_model = model;
+  }
+  if (!inputs.opencv_model) value.refuse("'pinhole' or 'fisheye'");
 }
 
-ReadRig read_rig(const py::object& path, const std::vector<py::object>& parts, const std::optional<std::string>& format,
-                 const std::optional<Size>& image_size, const std::optional<std::string>& opencv_model) {
+void take_unit(const Value& value, Inputs& inputs) {
+  constexpr std::array kUnits = {std::pair{"m", 1.0}, std::pair{"cm", 1e-2}, std::pair{"mm", 1e-3}};
+  const auto name = value.as<std::string>();
+  const auto* const unit = std::ranges::find_if(kUnits, [&name](const auto& each) { return name == each.first; });
+  if (unit == kUnits.end()) value.refuse("'m', 'cm' or 'mm'");
+  inputs.length_unit_m = unit->second;
+}
+
+void take_crop(const Value& value, Inputs& inputs) {
+  const auto [x, y, width, height] = value.as<std::tuple<int, int, int, int>>();
+  inputs.change.crop = ImageRegion{x, y, {width, height}};
+}
+
+void take_binning(const Value& value, Inputs& inputs) {
+  inputs.change.binning = value.as<int>();
+  if (inputs.change.binning < 1) value.refuse("a whole number from 1");
+}
+
+constexpr std::array kKeywords = {
+    Keyword<Inputs>{"parts", &take_parts},
+    Keyword<Inputs>{"format", &take_format},
+    Keyword<Inputs>{"camera", &take_cameras},
+    Keyword<Inputs>{"image_size", [](const Value& value, Inputs& inputs) { inputs.image_size = size_of(value.as<Size>()); }},
+    Keyword<Inputs>{"opencv_model", &take_opencv_model},
+    Keyword<Inputs>{"unit", &take_unit},
+    Keyword<Inputs>{"crop", &take_crop},
+    Keyword<Inputs>{"binning", &take_binning},
+    Keyword<Inputs>{"resize", [](const Value& value, Inputs& inputs) { inputs.change.resize = size_of(value.as<Size>()); }},
+};
+
+ReadRig read_rig(const py::object& path, const py::kwargs& keywords) {
   ReadRig result;
   result.inputs.files = {path_of(path)};
-  for (const py::object& part : parts) result.inputs.parts.push_back(path_of(part));
-  result.inputs.format = format_named(format);
-  result.inputs.image_size = size_of(image_size);
-  if (opencv_model) result.inputs.opencv_model = opencv_model_named(*opencv_model);
+  take_keywords(kKeywords, keywords, result.inputs);
   Files files;
   Diagnostics diagnostics;
-  std::optional<Calibration> calibration = read_models(result.inputs, files, diagnostics);
+  std::optional<Calibration> calibration;
+  {
+    const py::gil_scoped_release released;
+    calibration = read_models(result.inputs, files, diagnostics);
+  }
   if (!calibration) raise(diagnostics, files.sources());
   result.rig = std::move(calibration->rig);
   result.format = calibration->format->id;
-  for (const Diagnostic& entry : diagnostics.entries()) {
-    if (entry.severity == Severity::kWarning) result.warnings.push_back(message_of(entry));
-  }
+  result.warnings = warnings_of(diagnostics);
   return result;
 }
 
@@ -71,29 +103,40 @@ std::vector<std::string> frames_of(const ReadRig& rig) {
 
 void add_rigs(py::module_& module) {
   py::class_<Imu>(module, "Imu", "Noise of an IMU as continuous-time densities; None where the file does not say.")
-      .def_readonly("name", &Imu::name)
+      .def_readonly("name", &Imu::name, "By which the rig and its poses know it.")
       .def_readonly("gyroscope_noise_density", &Imu::gyroscope_noise_density, "rad/s/sqrt(Hz)")
       .def_readonly("gyroscope_random_walk", &Imu::gyroscope_random_walk, "rad/s^2/sqrt(Hz)")
       .def_readonly("accelerometer_noise_density", &Imu::accelerometer_noise_density, "m/s^2/sqrt(Hz)")
       .def_readonly("accelerometer_random_walk", &Imu::accelerometer_random_walk, "m/s^3/sqrt(Hz)")
       .def_readonly("rate", &Imu::rate_hz, "Hz")
-      .def_readonly("topic", &Imu::topic);
+      .def_readonly("topic", &Imu::topic, "Of its samples in ROS; may be empty.");
   py::class_<ReadRig>(module, "Rig", "What a calibration file means: cameras, IMUs, and how they sit to each other.")
-      .def_property_readonly("cameras", [](const ReadRig& rig) { return rig.rig.cameras; })
-      .def_property_readonly("imus", [](const ReadRig& rig) { return rig.rig.imus; })
+      .def_property_readonly(
+          "cameras", [](const ReadRig& rig) { return rig.rig.cameras; }, "A list of Camera, in the order of the file.")
+      .def_property_readonly(
+          "imus", [](const ReadRig& rig) { return rig.rig.imus; }, "A list of Imu.")
       .def_property_readonly("frames", &frames_of, "Names that pose() knows.")
       .def_readonly("format", &ReadRig::format, "'kalibr', 'opencv', ...")
       .def_readonly("warnings", &ReadRig::warnings, "What its reader noticed.")
-      .def("camera", &camera_of, py::arg("name"), py::return_value_policy::copy)
+      .def("camera", &camera_of, py::arg("name"), py::return_value_policy::copy,
+           "The Camera of that name; KeyError where there is none.")
       .def("pose", &pose_of, py::arg("a"), py::arg("b"),
            "T_a_b as a matrix (4, 4): takes points in b to points in a, in metres. KeyError where the file contains none.");
-  module.def("read", &read_rig, py::arg("path"), py::arg("parts") = std::vector<py::object>(), py::arg("format") = py::none(),
-             py::arg("image_size") = py::none(), py::arg("opencv_model") = py::none(),
-             R"(Reads a calibration file of any format.
+  module.def("read", &read_rig, py::arg("path"), R"(Reads a calibration file of any format.
 
-parts: further files of the same calibration (imu.yaml). format: found by the content unless given. image_size: (width,
-height), for files that contain none. opencv_model: 'pinhole' or 'fisheye', where four coefficients could be either.
-Raises fca_io.Error with code, file, line and column.)");
+Returns a Rig. All but the first are keywords:
+
+path                a file, or a folder that is one rig
+parts               paths of further files of the same calibration: ['imu.yaml']
+format              'kalibr', ...; found by the content
+camera              these cameras alone, in this order: names, or places from 0
+image_size          (width, height), for files that contain none
+opencv_model        'pinhole' or 'fisheye', where four coefficients could be either
+unit                'm', 'cm' or 'mm', of translations in files that do not contain it; 'm'
+crop, binning, resize
+                    from the calibrated images to yours, in this order: (x, y, width, height), N, (width, height)
+
+Raises Error with code, file, line and column.)");
 }
 
 }  // namespace fca::python

@@ -20,4 +20,5 @@ def test_the_example_runs(tmp_path, monkeypatch):
     assert names["conversion"].verdict == "ready"
     assert [path.suffix for path in pathlib.Path("settings").iterdir()] == [".yaml"]
     assert names["D"].shape == (4,)
+    assert names["left"][0].shape == names["right"][1].shape == names["pair"].image_size[::-1]
     assert names["map_u"].shape == (480, 640)
