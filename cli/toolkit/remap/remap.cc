@@ -119,9 +119,10 @@ bool make_map(const RemapRequest& request, Files& files, RemapResult& result) {
         std::to_string(result.view.image_size->width) + " " + std::to_string(result.view.image_size->height);
     result.colmap_camera = "1 EQUIRECTANGULAR " + numbers + " " + numbers;
   }
-  if (request.turn)
+  if (request.turn) {
     result.T_source_view =
         result.T_source_view * turned(request.turn->yaw_rad, request.turn->pitch_rad, request.turn->roll_rad);
+  }
   const std::optional<double>& limit_rad = request.inputs.max_angle_rad;
   const std::optional<ImageMapper> mapper =
       result.is_equirectangular
