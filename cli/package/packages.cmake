@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What is installed with the command (manual pages, completions), and `cmake --build ... --target package`: Debian packages.
+# What is installed with the command (manual pages, completions), and `cmake --build ... --target package`: Debian packages; `tarball`:
+# the command with its libraries, for other systems.
 set(FCA_MANUALS ${PROJECT_BINARY_DIR}/cli/man1)
 add_custom_command(OUTPUT ${FCA_MANUALS}/fca-io.1.gz
   COMMAND ${CMAKE_COMMAND} -DFCA_IO=$<TARGET_FILE:fca-io> -DFOLDER=${FCA_MANUALS} -P ${CMAKE_CURRENT_LIST_DIR}/manuals.cmake
@@ -14,6 +15,9 @@ install(FILES ${completions}/_fca-io DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/ve
 install(FILES ${completions}/fca-io.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT command)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/cli/schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/fca-io COMPONENT command)
+
+add_custom_target(tarball DEPENDS fca-io fca-storage-module fca-manuals VERBATIM USES_TERMINAL
+  COMMAND ${CMAKE_COMMAND} -E env CMAKE=${CMAKE_COMMAND} ${CMAKE_CURRENT_LIST_DIR}/tarball ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR})
 
 # fca_package(COMPONENT NAME SECTION SUMMARY TEXT [DEPENDS ...]): one Debian package of that component, with its licence and
 # changelog.

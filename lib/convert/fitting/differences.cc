@@ -1,46 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/convert/fit_target.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <vector>
-
-#include <ceres/dynamic_numeric_diff_cost_function.h>
 
 namespace fca::internal {
 
-namespace {
-
-/// The residuals in pixels, as a functor for Ceres' numeric derivatives: u and v of a sample follow each other.
-struct Residuals {
-  const FitTarget& target;
-  std::span<const Correspondence> samples;
-  mutable std::vector<std::array<double, 2>> pixels;
-
-  bool operator()(double const* const* parameters, double* residuals) const {
-    if (!target.pixels(parameters[0], samples, pixels.data())) return false;
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      for (std::size_t axis = 0; axis < 2; ++axis) residuals[2 * k + axis] = pixels[k][axis] - samples[k].pixel[axis];
-    }
-    return true;
-  }
-};
-
-}  // namespace
-
 bool linearise_by_differences(const FitTarget& target, const double* p, std::span<const Correspondence> samples,
                               const LinearisedColumns& out) {
+  // Steps as of Ceres' numeric differentiation: relative to the parameter, and never below the root of the rounding of 1, where
+  // rounding would outweigh the difference. Its own functions need libglog, which brings three more libraries into every start
+  // of the command.
+  constexpr double kRelativeStep = 1e-6;
+  const double smallest = std::sqrt(std::numeric_limits<double>::epsilon());
+
   const std::size_t count = target.parameters().size();
-  Residuals functor{target, samples, std::vector<std::array<double, 2>>(samples.size())};
-  ceres::DynamicNumericDiffCostFunction<Residuals, ceres::CENTRAL> cost(&functor, ceres::DO_NOT_TAKE_OWNERSHIP);
-  cost.AddParameterBlock(static_cast<int>(count));
-  cost.SetNumResiduals(static_cast<int>(2 * samples.size()));
-  std::vector<double> residuals(2 * samples.size());
-  std::vector<double> jacobian(count * residuals.size());  // row-major
-  double* blocks[] = {jacobian.data()};
-  if (!cost.Evaluate(&p, residuals.data(), blocks)) return false;
+  std::vector<double> jacobian(2 * count * samples.size());  // row-major; u and v of a sample follow each other
+  std::vector<double> shifted(p, p + count);
+  std::vector<std::array<double, 2>> pixels(samples.size());
+  std::vector<std::array<double, 2>> lower(samples.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const double step = std::max(smallest, kRelativeStep * std::abs(p[i]));
+    shifted[i] = p[i] + step;
+    if (!target.pixels(shifted.data(), samples, pixels.data())) return false;
+    shifted[i] = p[i] - step;
+    if (!target.pixels(shifted.data(), samples, lower.data())) return false;
+    shifted[i] = p[i];
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      for (std::size_t axis = 0; axis < 2; ++axis)
+        jacobian[(2 * k + axis) * count + i] = (pixels[k][axis] - lower[k][axis]) / (2.0 * step);
+    }
+  }
+  if (!target.pixels(p, samples, pixels.data())) return false;
   for (std::size_t k = 0; k < samples.size(); ++k) {
     const std::span<const double> du(&jacobian[2 * k * count], count);
     const std::span<const double> dv(&jacobian[(2 * k + 1) * count], count);
-    out.set(k, du, dv, residuals[2 * k], residuals[2 * k + 1]);
+    out.set(k, du, dv, pixels[k][0] - samples[k].pixel[0], pixels[k][1] - samples[k].pixel[1]);
   }
   return true;
 }
