@@ -49,7 +49,7 @@ def test_a_keyword_is_the_option(keywords, options):
     plain = fca_io.convert(CHAIN, "kalibr", model="eucm", max_angle=85.0)
     conversion = fca_io.convert(CHAIN, "kalibr", model="eucm", max_angle=85.0, **keywords)
     same_cameras(conversion, told(CHAIN, "--to", "kalibr", "--model", "eucm", "--max-angle", "85", *options))
-    if set(keywords) & {"objective", "weight", "fix", "absorb_rotation", "pair"}:
+    if set(keywords) & {"objective", "weight", "fix", "pair"}:
         assert conversion.cameras[0].target.parameters != plain.cameras[0].target.parameters
 
 
@@ -80,14 +80,36 @@ def test_an_image_of_weights():
             fca_io.convert(CHAIN, "kalibr", weight=other, **options)
 
 
-def test_a_turn_is_written_into_the_poses():
-    conversion = fca_io.convert(CHAIN, "kalibr", model="ucm", absorb_rotation=True, max_angle=85.0)
+TILTED = """cam0:
+  camera_model: pinhole
+  intrinsics: [460.0, 458.0, 367.0, 248.0]
+  distortion_model: radtan
+  distortion_coeffs: [-0.05, 0.01, 0.002, -0.001]
+  resolution: [752, 480]
+  rostopic: /cam0/image_raw
+  T_cam_imu:
+  - [0.0, 1.0, 0.0, 0.02]
+  - [-1.0, 0.0, 0.0, 0.01]
+  - [0.0, 0.0, 1.0, -0.03]
+  - [0.0, 0.0, 0.0, 1.0]
+"""
+
+
+def test_a_turn_is_written_into_the_poses(tmp_path):
+    chain = tmp_path / "camchain.yaml"
+    chain.write_text(TILTED)
+    conversion = fca_io.convert(chain, "kalibr", model="kb4", absorb_rotation=True)
     turned = [camera.turn for camera in conversion.cameras if camera.turn is not None]
     assert turned
     for R in turned:
         np.testing.assert_allclose(R @ R.T, np.eye(3), atol=1e-12)
         assert 0.0 < np.linalg.norm(R - np.eye(3)) < 0.1
-    assert all(camera.turn is None for camera in fca_io.convert(CHAIN, "kalibr", model="ucm").cameras)
+    assert all(camera.turn is None for camera in fca_io.convert(chain, "kalibr", model="kb4").cameras)
+    conversion.save(tmp_path / "turned")
+    [written] = (tmp_path / "turned").iterdir()
+    before, after = (fca_io.read(path).pose("cam0", "imu0")[:3, :3] for path in (chain, written))
+    turn = after @ before.T
+    np.testing.assert_allclose(turn, turned[0], atol=1e-9)
 
 
 def test_a_pair_is_what_stereo_feels():
