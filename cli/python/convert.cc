@@ -134,7 +134,7 @@ void add_convert(py::module_& module) {
           "code", [](const Reason& reason) { return id_of(reason); }, "'pixels-off', ...")
       .def_property_readonly(
           "verdict", [](const Reason& reason) { return std::string(name_of(reason.word)); },
-          "What it makes of the whole: 'use-with-care' or 'do-not-use'.")
+          "The verdict that it leads to: 'use-with-care' or 'do-not-use'.")
       .def_readonly("camera", &Reason::camera, "Empty: it is about the whole file.")
       .def_property_readonly(
           "text", [](const Reason& reason) { return message_of(reason); }, "What is wrong.")
