@@ -78,9 +78,10 @@ std::string disparity(const RectifyResult& result) {
   constexpr double kRoundingPx = 1e-6;
   const VerticalDisparity& left = *result.disparity;
   const std::string across = result.pair.is_vertical ? "columns" : "rows";
-  if (std::max(left.at_infinity.max_px, left.at_ten_baselines.max_px) < kRoundingPx)
+  if (std::max(left.at_infinity.max_px, left.at_ten_baselines.max_px) < kRoundingPx) {
     return "the images of a point lie in the same " + across.substr(0, across.size() - 1) + " (" +
            percent(left.at_infinity.share) + " of the image is seen by both)";
+  }
   return "the images of a point differ by " + across + ": " + difference(left.at_infinity) + " far away; " +
          difference(left.at_ten_baselines) + " at 10 baselines; over " + percent(left.at_infinity.share) + " of the image";
 }
@@ -97,7 +98,7 @@ std::string from_ours(const RectifyResult& result) {
 std::string settings(const Rectifying& done) {
   const RectifyResult& result = done.result;
   std::string text;
-  for (std::size_t i = 0; i < done.settings.size(); ++i) text += line("wrote", text::printable(done.settings[i]));
+  for (const std::string& path : done.settings) text += line("wrote", text::printable(path));
   if (!result.mode.empty()) text += line("mode", result.mode);
   for (const ProofResult& proof : result.proofs) {
     std::string words = proof.program;
@@ -142,9 +143,10 @@ std::string rectify_text(const RectifyArguments& arguments, const Rectifying& do
   const bool upright = result.pair.is_vertical;
   std::string text =
       in_columns(result.cameras[0].name + " and " + result.cameras[1].name + ": " + origin(arguments, result), 0, 2) + "\n";
-  if (!result.is_rectified)
+  if (!result.is_rectified) {
     text += line(upright ? "upper" : "left", result.cameras[0].name + ": " + place(result) +
                                                  (result.is_exchanged ? " (the files have them the other way round)" : ""));
+  }
   text += line("camera", camera(result));
   text += line("baseline", format_short(result.baseline_m()) + " m; times fx " + format_short(result.bf()) + " m px");
   text += line("region", seen_by(result));
