@@ -53,11 +53,10 @@ int run(std::span<const std::string> words, Streams& streams, const Origin& orig
   try {
     return static_cast<int>(run_words(words, streams, origin));
   } catch (const consumers::MissingModule& error) {
-    return fail(
-        ExitCode::kIo,
-        text::text_of(error.facts, with_options) +
-            "; install the package fca-io, for images also fca-io-images (the tarball has no images), or allow more memory "
-            "(ulimit -v)");
+    return fail(ExitCode::kIo,
+                text::text_of(error.facts, with_options) +
+                    "; install fca-io, for images also fca-io-images (the tarball has no images), or allow more memory "
+                    "(ulimit -v)");
   } catch (const SpoolFailure& error) {
     return fail(ExitCode::kIo, std::string("what was converted cannot be read again: ") + error.what());
   } catch (const std::bad_alloc&) {
