@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "absorbed_turn.h"
 
-#include "evaluation/stages.h"
+#include "evaluation/turned.h"
 #include "fitting/turn.h"
 #include "sampling/weights.h"
 
 #include <fca/code.h>
-#include <fca/convert/judge.h>
-#include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <numbers>
@@ -44,15 +42,10 @@ void absorb_turn(const FitTask& task, const DegreeFit& fit, Conversion& conversi
       fit_with_turn(*straight.model, samples_for_turn(task, straight.reach_rad, kSamples), fit.ranges);
   ConversionReport& report = conversion.report;
   if (turned && validate(turned->fitted.model).empty()) {
-    const Projection image_of = [&turned](const Ray& ray) {
-      return project(turned->fitted.model, rotated(turned->T_target_source, ray));
-    };
-    const Scorer scorer{task.camera.model, nullptr, &image_of, task.domain, straight.reach_rad};
-    Judgement judgement = judge_all(scorer, score_on_lattice(scorer), {task.options.every_pixel, false});
+    Judgement judgement = judge_turned(task.camera.model, turned->fitted.model, turned->T_target_source, task.domain,
+                                       straight.reach_rad, task.options.every_pixel);
     const ErrorSummary& before = report.judgement.error;
-    constexpr double kSameShare = 1e-3;
-    if (is_better(task, fit.fit, *turned, before.rms, judgement.error.rms) &&
-        judgement.coverage.scored >= report.judgement.coverage.scored - kSameShare) {
+    if (is_better(task, fit.fit, *turned, before.rms, judgement.error.rms) && reaches_as_much(report.judgement, judgement)) {
       report.turn = AbsorbedTurn{turned->T_target_source, before.rms, before.max};
       report.judgement = std::move(judgement);
       report.at_bound = turned->fitted.at_bound;

@@ -68,10 +68,9 @@ class Sums {
 /// Over so many columns and rows.
 std::optional<VerticalDisparity> measured(int steps, const MeantCamera& first, const MeantCamera& second,
                                           const Transform& T_second_first, const RectifiedPair& pair, const ImageSize& size) {
-  constexpr double kDistance = 10.0;  // baselines
   const View here(first, pair, 0);
   const View there(second, pair, 1);
-  const double distance_m = kDistance * distance_of(T_second_first);
+  const double distance_m = kNearPoints * distance_of(T_second_first);
   const std::array<double, 3> t = translation_of(T_second_first);
   const std::size_t across = pair.is_vertical ? 0 : 1;
   std::array<Sums, 2> sums;  // at infinity, at ten baselines

@@ -16,6 +16,15 @@ namespace fca::internal {
   return T;
 }
 
+/// Its 3 x 3 part.
+[[nodiscard]] inline Eigen::Matrix3d matrix_of(const Transform& T) {
+  Eigen::Matrix3d R;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) R(row, column) = T(row, column);
+  }
+  return R;
+}
+
 /// About the vector, by its length [rad].
 [[nodiscard]] inline Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector) {
   const double angle = vector.norm();

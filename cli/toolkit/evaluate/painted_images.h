@@ -20,7 +20,7 @@ using Placement = std::function<std::optional<Pixel>(const Pixel& pixel)>;
 /// `colours`: blue, green and red, or grey.
 [[nodiscard]] PaintedImage painted_image(const std::vector<GreyImage>& colours, const Placement& place);
 
-/// What the authors' program makes of an image whose pixels go where they are, but for noise of up to 1e-9 px.
+/// The image that the authors' program paints where every pixel stays at its place but for noise of up to 1e-9 px.
 [[nodiscard]] PaintedImage painted_with_noise(const std::vector<GreyImage>& colours);
 
 }  // namespace fca

@@ -36,7 +36,7 @@ struct View {
   Transform T_camera_source = {};
 };
 
-/// The image that ROS makes of such a camera by R and P, if its file contains them; else its own.
+/// The image into which ROS rectifies the camera's by R and P, if the file contains them; else the camera's own.
 View as_rectified(const Rig& rig, const Camera& camera) {
   if (const std::optional<RectifiedImage> image = rectified_image(rig, camera))
     return {image->camera, image->T_rectified_camera};

@@ -2,6 +2,7 @@
 #include <fca/convert/common_lens.h>
 
 #include "../fitting/minimise.h"
+#include "../fitting/normal_sums.h"
 #include "../fitting/pixel_jacobian.h"
 #include "../sampling/weights.h"
 
@@ -19,7 +20,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 using internal::PixelJacobian;
 
 using Samples = std::vector<std::vector<Correspondence>>;
@@ -71,9 +71,7 @@ std::vector<double> unknowns_of(std::span<const CameraModel> models) {
 bool sum_up(std::span<const CameraModel> models, const Samples& samples, internal::NormalEquations& sums) {
   const std::span<const Parameter> parameters = model_info(models.front()).parameters;
   const Index count = number_of_unknowns(parameters, models.size());
-  MatrixXd matrix = MatrixXd::Zero(count, count);
-  VectorXd gradient = VectorXd::Zero(count);
-  sums.cost = 0.0;
+  internal::NormalSums normal(count);
   for (std::size_t camera = 0; camera < models.size(); ++camera) {
     if (!validate(models[camera]).empty()) return false;
     const std::optional<PixelJacobian> jacobian = internal::jacobian_of(models[camera], samples[camera]);
@@ -81,13 +79,9 @@ bool sum_up(std::span<const CameraModel> models, const Samples& samples, interna
     MatrixXd columns = MatrixXd::Zero(jacobian->columns.rows(), count);
     for (std::size_t i = 0; i < parameters.size(); ++i)
       columns.col(place_of(parameters, i, camera)) = jacobian->columns.col(static_cast<Index>(i));
-    matrix += columns.transpose() * columns;
-    gradient += columns.transpose() * jacobian->residuals;
-    sums.cost += jacobian->residuals.squaredNorm();
+    normal.add(columns, jacobian->residuals);
   }
-  if (sums.gradient.empty()) return true;
-  std::ranges::copy(gradient, sums.gradient.begin());
-  std::ranges::copy(matrix.reshaped(), sums.hessian.begin());  // symmetric
+  normal.put_into(sums);
   return true;
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matches.h"
 
+#include "../../rig/eigen_rotation.h"
+
 #include <fca/rectify/rectify.h>
+#include <fca/rectify/vertical_disparity.h>
 #include <fca/rig/rotation.h>
 
 #include <Eigen/Geometry>
@@ -13,14 +16,6 @@ namespace fca::internal {
 namespace {
 
 using Eigen::Vector3d;
-
-Eigen::Matrix3d rotation_in(const Transform& T) {
-  Eigen::Matrix3d R;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) R(row, column) = T(row, column);
-  }
-  return R;
-}
 
 Vector3d vector_of(const std::array<double, 3>& ray) { return {ray[0], ray[1], ray[2]}; }
 
@@ -55,7 +50,7 @@ class Rows {
  public:
   Rows(const std::array<CameraOfPair, 2>& cameras, const RectifyingRotations& rotations)
       : across_(rotations.is_vertical ? 0 : 1),
-        R_rectified_camera_{rotation_in(rotations.T_rectified_camera[0]), rotation_in(rotations.T_rectified_camera[1])} {
+        R_rectified_camera_{matrix_of(rotations.T_rectified_camera[0]), matrix_of(rotations.T_rectified_camera[1])} {
     for (const CameraOfPair& each : cameras)
       focal_length_ += 0.5 * central_focal_lengths(each.camera->model).at(static_cast<std::size_t>(across_));
   }
@@ -93,13 +88,12 @@ void add_match(const std::array<CameraOfPair, 2>& cameras, const Rows& rows, con
 }  // namespace
 
 Matches matches_of(const std::array<CameraOfPair, 2>& cameras, const Transform& T_second_first) {
-  constexpr double kNear = 10.0;  // baselines
   Matches matches;
   const std::optional<RectifyingRotations> rotations = rectifying_rotations(T_second_first);
   if (!rotations) return matches;
   const Rows rows(cameras, *rotations);
-  const Eigen::Matrix3d R = rotation_in(T_second_first);
-  const Vector3d shift = vector_of(translation_of(T_second_first)).normalized() / kNear;
+  const Eigen::Matrix3d R = matrix_of(T_second_first);
+  const Vector3d shift = vector_of(translation_of(T_second_first)).normalized() / kNearPoints;
   for (const Correspondence& first : cameras[0].samples) {
     const Vector3d far_away = R * vector_of(first.ray);
     for (const Vector3d& seen : {far_away, Vector3d((far_away + shift).normalized())})

@@ -2,8 +2,9 @@
 #include <fca/convert/pair_fit.h>
 
 #include "../../rig/eigen_rotation.h"
-#include "../evaluation/stages.h"
+#include "../evaluation/turned.h"
 #include "../fitting/minimise.h"
+#include "../fitting/normal_sums.h"
 #include "../fitting/pixel_jacobian.h"
 #include "../fitting/turned_samples.h"
 #include "matches.h"
@@ -11,7 +12,6 @@
 #include <fca/convert/domain.h>
 #include <fca/convert/judge.h>
 #include <fca/convert/sample.h>
-#include <fca/rig/rotation.h>
 
 #include <Eigen/Core>
 
@@ -130,28 +130,19 @@ class Problem {
     for (std::size_t i = 0; i < 2; ++i) {
       if (!validate(states.at(i).model).empty() || !within(states.at(i).model, fits_.at(i).options.ranges)) return false;
     }
-    MatrixXd matrix = MatrixXd::Zero(count(), count());
-    VectorXd gradient = VectorXd::Zero(count());
-    sums.cost = 0.0;
-    const auto add = [&](const MatrixXd& columns, const VectorXd& residuals, Index first) {
-      matrix.block(first, first, columns.cols(), columns.cols()) += columns.transpose() * columns;
-      gradient.segment(first, columns.cols()) += columns.transpose() * residuals;
-      sums.cost += residuals.squaredNorm();
-    };
+    internal::NormalSums normal(count());
     MatrixXd rows(static_cast<Index>(matches_.seen[0].size()), count());
     VectorXd differences = VectorXd::Zero(rows.rows());
     for (std::size_t i = 0; i < 2; ++i) {
       const std::optional<PixelJacobian> own = slopes(i, states.at(i), cameras_.at(i).samples);
       const std::optional<PixelJacobian> matched = slopes(i, states.at(i), matches_.seen.at(i));
       if (!own || !matched) return false;
-      add(own->columns, own->residuals, unknowns_.at(i).first);
+      normal.add(own->columns, own->residuals, unknowns_.at(i).first);
       rows.middleCols(unknowns_.at(i).first, unknowns_.at(i).count()) = kWeightOfRows * rows_of(i, matched->columns);
       differences += kWeightOfRows * rows_of(i, matched->residuals);
     }
-    add(rows, differences, 0);
-    if (sums.gradient.empty()) return true;
-    std::ranges::copy(gradient, sums.gradient.begin());
-    std::ranges::copy(matrix.reshaped(), sums.hessian.begin());  // symmetric
+    normal.add(rows, differences);
+    normal.put_into(sums);
     return true;
   }
 
@@ -190,15 +181,14 @@ std::optional<Conversion> conversion_to(const SeparateFit& fit, const State& sta
   if (!domain) return std::nullopt;
   const Transform T_target_source = state.turn();
   const bool is_turned = !state.angles.isZero();
-  const Projection image_of = [&](const Ray& ray) { return project(state.model, rotated(T_target_source, ray)); };
   Conversion result = fit.conversion;
   ConversionReport& report = result.report;
-  const internal::Scorer scorer{fit.source.model, is_turned ? nullptr : &state.model, is_turned ? &image_of : nullptr, *domain,
-                                report.scored_to_deg * std::numbers::pi / 180.0};
-  Judgement judgement = internal::judge_all(scorer, internal::score_on_lattice(scorer),
-                                            {fit.options.every_pixel, fit.options.bound && !is_turned});
-  constexpr double kSameShare = 1e-3;
-  if (judgement.coverage.scored < report.judgement.coverage.scored - kSameShare) return std::nullopt;
+  const double reach_rad = report.scored_to_deg * std::numbers::pi / 180.0;
+  Judgement judgement =
+      is_turned
+          ? internal::judge_turned(fit.source.model, state.model, T_target_source, *domain, reach_rad, fit.options.every_pixel)
+          : judge(fit.source.model, state.model, *domain, {fit.options.every_pixel, fit.options.bound, reach_rad});
+  if (!internal::reaches_as_much(report.judgement, judgement)) return std::nullopt;
   if (is_turned) report.turn = AbsorbedTurn{T_target_source, report.judgement.error.rms, report.judgement.error.max};
   report.judgement = std::move(judgement);
   report.turn_offer.reset();

@@ -7,7 +7,7 @@
 
 namespace fca {
 
-/// The image that a program makes of a camera by what else its file contains: ROS image_proc by R and P.
+/// The image into which a program rectifies a camera's by values of its file: ROS image_proc by R and P.
 struct RectifiedImage {
   Camera camera;                 ///< A pinhole.
   Transform T_rectified_camera;  ///< A rotation.

@@ -114,7 +114,7 @@ class FitTarget {
                           double* p) const = 0;
 };
 
-/// linearise() by central differences (Ceres' numeric differentiation): for a model outside the list without derivatives.
+/// linearise() by central differences: for a model outside the list without derivatives.
 bool linearise_by_differences(const FitTarget& target, const double* p, std::span<const Correspondence> samples,
                               const LinearisedColumns& out);
 

@@ -24,6 +24,9 @@ struct RowDifference {
   double share = 0.0;   ///< Of the lattice over the first rectified image: how much both see.
 };
 
+/// Where near points are looked at, from the first camera [baselines].
+inline constexpr double kNearPoints = 10.0;
+
 struct VerticalDisparity {
   RowDifference at_infinity;
   RowDifference at_ten_baselines;  ///< Points ten baselines away from the first camera.

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "turned.h"
+
+#include "stages.h"
+
+#include <fca/convert/judge.h>
+#include <fca/rig/rotation.h>
+
+namespace fca::internal {
+
+Judgement judge_turned(const CameraModel& source, const CameraModel& target, const Transform& T_target_source,
+                       const Domain& domain, double reach_rad, bool every_pixel) {
+  const Projection image_of = [&](const Ray& ray) { return project(target, rotated(T_target_source, ray)); };
+  const Scorer scorer{source, nullptr, &image_of, domain, reach_rad};
+  return judge_all(scorer, score_on_lattice(scorer), {every_pixel, false});
+}
+
+bool reaches_as_much(const Judgement& before, const Judgement& after) {
+  constexpr double kNoticeable = 1e-3;
+  return after.coverage.scored >= before.coverage.scored - kNoticeable;
+}
+
+}  // namespace fca::internal

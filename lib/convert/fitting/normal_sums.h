@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Normal equations that are summed up over several cameras.
+#pragma once
+
+#include "minimise.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+
+namespace fca::internal {
+
+class NormalSums {
+ public:
+  explicit NormalSums(Eigen::Index count)
+      : hessian_(Eigen::MatrixXd::Zero(count, count)), gradient_(Eigen::VectorXd::Zero(count)) {}
+
+  /// Residuals, and their derivatives by the unknowns from `first` on.
+  void add(const Eigen::MatrixXd& columns, const Eigen::VectorXd& residuals, Eigen::Index first = 0) {
+    hessian_.block(first, first, columns.cols(), columns.cols()) += columns.transpose() * columns;
+    gradient_.segment(first, columns.cols()) += columns.transpose() * residuals;
+    cost_ += residuals.squaredNorm();
+  }
+
+  /// What minimise() has asked for.
+  void put_into(NormalEquations& sums) const {
+    sums.cost = cost_;
+    if (sums.gradient.empty()) return;
+    std::ranges::copy(gradient_, sums.gradient.begin());
+    std::ranges::copy(hessian_.reshaped(), sums.hessian.begin());  // symmetric
+  }
+
+ private:
+  Eigen::MatrixXd hessian_;
+  Eigen::VectorXd gradient_;
+  double cost_ = 0.0;
+};
+
+}  // namespace fca::internal
