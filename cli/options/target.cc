@@ -215,13 +215,6 @@ std::optional<std::string> problem_with(const ConvertRequest& request) {
   }
   if (request.absorb_turn && request.objective != Objective::kRms)
     return "--absorb-rotation is fitted for the rms only; leave out --objective max";
-  if (request.fit_pair && !request.into.empty())
-    return "--pair may turn the cameras, and the poses of BASE would be those of the old ones: leave out one of both";
-  if (request.fit_pair && (request.absorb_turn || request.fixed.any() || request.objective != Objective::kRms ||
-                           request.weight != WeightKind::kPixel)) {
-    return "--pair fits all parameters and turns to the rms of all pixels: leave out --absorb-rotation, --fix, --weight and "
-           "--objective max";
-  }
   if (request.weight != WeightKind::kPixel && request.objective != Objective::kRms)
     return "--weight is about the rms, the largest error has no weight: leave out --objective max";
   const Message problem = request.to != nullptr ? without_use(request, *request.to) : Message{};

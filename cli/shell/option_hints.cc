@@ -40,6 +40,9 @@ constexpr std::array kHints = {
     OptionHint{Code::kNoPixelInTheLens, text::Part::kFix, "a larger --max-angle"},
     OptionHint{Code::kTargetCannotReach, text::Part::kFix,
                "another model may reach further: fca-io models FILE compares all models"},
+    OptionHint{Code::kPairFitWithOthers, text::Part::kText,
+               "--pair fits all parameters and turns to the rms of all pixels: leave out --absorb-rotation, --fix, --weight, "
+               "--objective max, --into and --orbslam3-layout v1-common"},
     OptionHint{Code::kTurnWouldHelp, text::Part::kFix, "--absorb-rotation does so"},
     OptionHint{
         Code::kParameterUnusual, text::Part::kFix,

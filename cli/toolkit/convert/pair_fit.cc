@@ -15,12 +15,6 @@ namespace fca {
 
 namespace {
 
-bool has_other_wishes(const ConvertRequest& request, const Format& to) {
-  const bool shares_lens = request.layout && request.layout->name() == to.common_lens_layout;
-  return request.objective != Objective::kRms || request.weight != WeightKind::kPixel || request.absorb_turn ||
-         request.fixed.any() || shares_lens;
-}
-
 /// Nothing where the camera keeps its model.
 std::optional<SeparateFit> separate_fit(const ConvertedCamera& camera, const Format& to, const ModelChoice& choice) {
   const StoredModel* stored = find_stored_model(to, model_info(camera.target.model).id, false);
@@ -30,13 +24,20 @@ std::optional<SeparateFit> separate_fit(const ConvertedCamera& camera, const For
 
 }  // namespace
 
+bool may_fit_pair(const ConvertRequest& request, const Format& to, Diagnostics& diagnostics) {
+  if (!request.fit_pair) return true;
+  const bool shares_lens = request.layout && request.layout->name() == to.common_lens_layout;
+  const bool has_other_wishes = request.objective != Objective::kRms || request.weight != WeightKind::kPixel ||
+                                request.absorb_turn || request.fixed.any() || shares_lens;
+  // The poses of a base are those of cameras that are not turned.
+  if (!has_other_wishes && request.into.empty()) return true;
+  diagnostics.add(Code::kPairFitWithOthers);
+  return false;
+}
+
 bool fit_as_pair(const Rig& input, const Format& to, const ModelChoice& choice, std::vector<ConvertedCamera>& cameras,
                  Diagnostics& diagnostics) {
   if (!choice.request.fit_pair) return true;
-  if (has_other_wishes(choice.request, to)) {
-    diagnostics.add(Code::kPairFitWithOthers);
-    return false;
-  }
   const std::optional<StereoCameras> pair = stereo_cameras(input, cameras);
   if (!pair) {
     diagnostics.add(Code::kPairFitNeedsPair);

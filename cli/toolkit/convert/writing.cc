@@ -159,6 +159,7 @@ class Writing {
 };
 
 bool Writing::fit() {
+  if (!may_fit_pair(request_, *result_.to, result_.diagnostics)) return false;
   if (!holds_model(request_, base_, input_.rig, *result_.to, result_.diagnostics)) return false;
   const std::vector<std::string> taken =
       request_.program != nullptr ? taken_by(*request_.program, *result_.to) : std::vector<std::string>();
