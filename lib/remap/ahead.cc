@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ahead.h"
 
-#include "../convert/kernels/multiversioned.h"
-#include "../convert/kernels/with_kernel.h"
+#include "../models/kernels/multiversioned.h"
+#include "../models/kernels/with_kernel.h"
 
 #include <algorithm>
 #include <array>

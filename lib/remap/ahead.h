@@ -3,7 +3,7 @@
 // loop from pixel to pixel, without unit rays where a model does not need them.
 #pragma once
 
-#include "../convert/kernels/batch.h"
+#include "../models/kernels/batch.h"
 #include "matrix3.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "turn_rays.h"
 
-#include "../convert/kernels/multiversioned.h"
+#include "../models/kernels/multiversioned.h"
 
 #include <cmath>
 #include <limits>

@@ -2,7 +2,7 @@
 // The steps of a map between the two models' kernels, as loops of which a compiler makes SIMD.
 #pragma once
 
-#include "../convert/kernels/batch.h"
+#include "../models/kernels/batch.h"
 #include "matrix3.h"
 
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include <fca/convert/sample.h>
 
 #include <convert/fitting/fit_model.h>
-#include <convert/kernels/batch.h>
+#include <models/kernels/batch.h>
 
 #include <benchmark/benchmark.h>
 

@@ -2,7 +2,7 @@
 // The error of a pair of models at given pixels, many at a time.
 #pragma once
 
-#include "../kernels/batch.h"
+#include "../../models/kernels/batch.h"
 
 #include <fca/convert/angle_limit.h>
 #include <fca/convert/judge.h>

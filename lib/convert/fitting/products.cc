@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "products.h"
 
-#include "../kernels/multiversioned.h"
+#include "../../models/kernels/multiversioned.h"
 
 #include <algorithm>
 #include <cstring>

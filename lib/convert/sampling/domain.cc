@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/convert/domain.h>
 
-#include "../kernels/batch.h"
+#include "../../models/kernels/batch.h"
 
 #include <fca/code.h>
 #include <fca/rig/limits.h>

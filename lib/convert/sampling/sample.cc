@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/convert/sample.h>
 
-#include "../kernels/batch.h"
+#include "../../models/kernels/batch.h"
 #include "gauss_legendre.h"
 #include "gauss_pixels.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../../convert/kernels/polynomial_angle.h"
-#include "../../convert/kernels/rays.h"
+#include "../kernels/polynomial_angle.h"
+#include "../kernels/rays.h"
 
 #include <fca/models/ftheta.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../../convert/kernels/pixels.h"
-#include "../../convert/kernels/polynomial_angle.h"
-#include "../../convert/kernels/rays.h"
+#include "../kernels/pixels.h"
+#include "../kernels/polynomial_angle.h"
+#include "../kernels/rays.h"
 
 #include <fca/models/kb4.h>
 

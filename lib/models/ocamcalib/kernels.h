@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../../convert/kernels/pixels.h"
-#include "../../convert/kernels/rays.h"
+#include "../kernels/pixels.h"
+#include "../kernels/rays.h"
 
 #include <fca/models/ocamcalib.h>
 

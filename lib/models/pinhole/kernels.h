@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../../convert/kernels/rays.h"
+#include "../kernels/rays.h"
 
 #include <fca/models/pinhole.h>
 

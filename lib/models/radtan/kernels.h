@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../../convert/kernels/rays.h"
-#include "../../convert/kernels/tangential_inverse.h"
+#include "../kernels/rays.h"
+#include "../kernels/tangential_inverse.h"
 
 #include <fca/models/radtan.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../../convert/kernels/pixels.h"
-#include "../../convert/kernels/rays.h"
-#include "../../convert/kernels/tangential_inverse.h"
+#include "../kernels/pixels.h"
+#include "../kernels/rays.h"
+#include "../kernels/tangential_inverse.h"
 
 #include <fca/models/rational.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../../convert/kernels/rays.h"
 #include "../eucm/kernels.h"
+#include "../kernels/rays.h"
 
 #include <fca/models/ucm.h>
 

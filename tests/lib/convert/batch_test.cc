@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Many pixels at a time must say what the models say of each: to 1e-12, whichever SIMD version the processor runs.
-#include "convert/kernels/batch.h"
+#include "models/kernels/batch.h"
 #include "convert/evaluation/scorer.h"
 #include "known_cameras.h"
 #include "random_model.h"

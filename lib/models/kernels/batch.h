@@ -2,7 +2,7 @@
 // Many pixels at a time through a pair of models, as SIMD where the compiler and the processor have it.
 #pragma once
 
-#include "../../models/kernels.h"
+#include "../kernels.h"
 
 #include <array>
 #include <cstddef>
