@@ -169,5 +169,22 @@ TEST(InvertIncreasing, ConvergesWhereTheSlopeEnds) {
   }
 }
 
+// From this guess Newton's method goes back and forth between two places, each time a little nearer: for thousands of steps.
+TEST(InvertIncreasing, FindsTheValueWhereNewtonsMethodAlternates) {
+  const std::array lens = {1.0, 0.036914, 0.0132654, 0.00651276, -0.00335524};  // a kb4's radius over the angle, by its square
+  const auto radius = [&](double angle, double& value, double& slope) {
+    const double t = angle * angle;
+    value = angle * evaluate_polynomial(lens, t);
+    slope = evaluate_polynomial(std::array{1.0, 3.0 * lens[1], 5.0 * lens[2], 7.0 * lens[3], 9.0 * lens[4]}, t);
+  };
+  const double wanted = 1.8218903378962639;
+  double angle = wanted;
+  ASSERT_TRUE(invert_increasing(radius, wanted, 1.8331, angle));
+  double value = 0.0;
+  double slope = 0.0;
+  radius(angle, value, slope);
+  EXPECT_NEAR(value, wanted, 1e-14);
+}
+
 }  // namespace
 }  // namespace fca::test

@@ -153,8 +153,8 @@ template <std::size_t N>
 }
 
 /// The x in [0, upper) with f(x) = y, for an f that increases there from f(0) = 0. Newton's method kept inside a shrinking
-/// bracket: it always ends, and converges to the last digits. False if f stays below y. `upper` may be infinite. f(x, value,
-/// slope) gives both at once; `x` enters as a guess.
+/// bracket, which every other step halves if Newton's goes back and forth: it always ends, and converges to the last digits.
+/// False if f stays below y. `upper` may be infinite. f(x, value, slope) gives both at once; `x` enters as a guess.
 template <class F>
 [[nodiscard]] bool invert_increasing(const F& f, double y, double upper, double& x) {
   double value = 0.0;
@@ -170,13 +170,15 @@ template <class F>
   }
   if (!(x >= low && x < high)) x = 0.5 * (low + high);
   constexpr int kMaxSteps = 200;
+  constexpr int kNewtonAlone = 50;
   for (int i = 0; i < kMaxSteps; ++i) {
     f(x, value, slope);
     const double error = value - y;
     if (error == 0.0) return true;
     (error > 0.0 ? high : low) = x;
     double next = x - error / slope;
-    if (!(next >= low && next < high)) next = 0.5 * (low + high);
+    const bool halve = i >= kNewtonAlone && i % 2 == 0;
+    if (halve || !(next >= low && next < high)) next = 0.5 * (low + high);
     const bool converged = std::abs(next - x) <= 2.0 * std::numeric_limits<double>::epsilon() * x;
     x = next;
     if (converged) return true;
