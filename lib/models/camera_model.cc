@@ -132,21 +132,6 @@ std::optional<Ray> unprojected(const Intrinsics<M>& model, const Pixel& pixel) {
   return ray;
 }
 
-/// Asks `answer` about each of the places in `from`; what it does not answer is not a number.
-template <class From, class To, class Answer>
-void answer_all(std::span<const double> from, std::span<double> to, const Answer& answer) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const std::size_t count = std::min(from.size() / From{}.size(), to.size() / To{}.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    From asked{};
-    std::ranges::copy(from.subspan(i * asked.size(), asked.size()), asked.begin());
-    To none{};
-    none.fill(kNone);
-    const std::optional<To> found = answer(asked);
-    std::ranges::copy(found ? *found : none, to.subspan(i * none.size()).begin());
-  }
-}
-
 }  // namespace
 
 std::optional<Pixel> project(const CameraModel& model, const Ray& ray) {
@@ -158,13 +143,16 @@ std::optional<Ray> unproject(const CameraModel& model, const Pixel& pixel) {
 }
 
 void project_all(const CameraModel& model, std::span<const double> rays, std::span<double> pixels) {
-  std::visit([&](const auto& m) { answer_all<Ray, Pixel>(rays, pixels, [&m](const Ray& ray) { return projected(m, ray); }); },
-             model);
-}
-
-void unproject_all(const CameraModel& model, std::span<const double> pixels, std::span<double> rays) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t count = std::min(rays.size() / Ray{}.size(), pixels.size() / Pixel{}.size());
   std::visit(
-      [&](const auto& m) { answer_all<Pixel, Ray>(pixels, rays, [&m](const Pixel& pixel) { return unprojected(m, pixel); }); },
+      [&](const auto& m) {
+        for (std::size_t i = 0; i < count; ++i) {
+          const double* ray = &rays[3 * i];
+          const Pixel pixel = projected(m, {ray[0], ray[1], ray[2]}).value_or(Pixel{kNone, kNone});
+          std::ranges::copy(pixel, &pixels[2 * i]);
+        }
+      },
       model);
 }
 
