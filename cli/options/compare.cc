@@ -49,7 +49,8 @@ void add_compare_options(Options& options, CompareArguments& arguments) {
                  "Points are so far from the camera, and a shift of the projection centre is sought with the best rotation "
                  "(default: infinitely far, a rotation alone)",
                  [&request](double metres) -> std::optional<std::string> {
-                   if (problem_with_baseline(metres).is_said()) return "--distance wants a positive number of metres";
+                   if (problem_with_baseline(metres).is_said())
+                     return "--distance wants metres in (0, " + std::to_string(static_cast<int>(kLongestDistance)) + ")";
                    request.distance_m = metres;
                    return std::nullopt;
                  });

@@ -22,7 +22,8 @@ std::span<const CodeInfo> conversion_codes() {
       error(Code::kNoPixelHasARay, "no-pixel-has-a-ray",
             "{0}: the model gives no ray for any pixel of the {1} x {2} image; are focal length and principal point in pixels "
             "of this image?"),
-      error(Code::kTooFewRaysToFit, "domain-too-small", "{0}: too few pixels of the image have a ray to fit {1}"),
+      error(Code::kTooFewRaysToFit, "domain-too-small",
+            "{0}: {1} cannot be fitted: too few pixels of the image have a ray and, by a weight image, a weight"),
       error(Code::kTooFewPixelsToFit, "domain-too-small",
             "{0}: too few pixels of the image lie in the domain to fit {1}, however many samples are taken between them"),
       error(Code::kFitFailed, "fit-failed", "{0}: no {1} camera comes near this one"),
