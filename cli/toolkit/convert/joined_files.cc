@@ -10,13 +10,14 @@ namespace fca {
 
 namespace {
 
-/// An input of the format to be written, with what it holds.
+/// An input file of the format to be written, and the rig that it holds by itself.
 struct Part {
   const text::Document* document = nullptr;
   Rig rig;
 };
 
-/// The inputs of that format with one camera each. Of one whose files hold several, those of bare words (DSO's camera.txt).
+/// The input files of that format that hold exactly one camera. Of a format whose files may hold several cameras only the plain
+/// text files count (TUM-VI's camera.txt), which hold one.
 std::vector<Part> parts_of(const Calibration& source, const Format& format) {
   std::vector<Part> parts;
   for (std::size_t i = 0; i < source.documents.size(); ++i) {
@@ -29,26 +30,27 @@ std::vector<Part> parts_of(const Calibration& source, const Format& format) {
   return parts;
 }
 
-/// The part that states the camera. Joined rigs rename cameras of one name, so the numbers tell.
+/// The file that the camera comes from; the end if there is none. Cameras of the same name get others when files are joined, so
+/// model and image size are compared instead. Of two equal cameras the first takes the first file.
 std::vector<Part>::iterator part_with(std::vector<Part>& parts, const Camera& camera) {
   return std::ranges::find_if(parts, [&camera](const Part& part) {
-    const Camera& own = part.rig.cameras.front();
-    return own.model == camera.model && own.image_size == camera.image_size;
+    const Camera& in_file = part.rig.cameras.front();
+    return in_file.model == camera.model && in_file.image_size == camera.image_size;
   });
 }
 
-/// What is read beside the camera, under its name in the joined rig.
+/// The extra fields of the file. Those of its camera get the camera's name in the joined rig as their owner.
 std::vector<ExtraField> extras_of(const Part& part, const Camera& camera) {
   std::vector<ExtraField> extras = part.rig.extra_fields;
-  const std::string& own = part.rig.cameras.front().name;
+  const std::string& name_in_file = part.rig.cameras.front().name;
   for (ExtraField& extra : extras) {
-    if (extra.owner == own) extra.owner = camera.name;
+    if (extra.owner == name_in_file) extra.owner = camera.name;
   }
   return extras;
 }
 
-/// Takes a camera that its own file says, and what else that says, out of the rig.
-void take_out(const Part& part, const Camera& camera, Rig& rig) {
+/// Removes the camera, its poses and the extra fields of its file from the rig.
+void remove_camera(const Part& part, const Camera& camera, Rig& rig) {
   for (const ExtraField& extra : extras_of(part, camera)) {
     const auto found = std::ranges::find(rig.extra_fields, extra);
     if (found != rig.extra_fields.end()) rig.extra_fields.erase(found);
@@ -57,8 +59,8 @@ void take_out(const Part& part, const Camera& camera, Rig& rig) {
   std::erase_if(rig.cameras, [&camera](const Camera& other) { return other.name == camera.name; });
 }
 
-/// What the rig says of one camera, under the name that its file gives it.
-Rig alone(const Rig& rig, const Camera& camera, const Part& part) {
+/// A rig of this camera alone with its poses, for its file: the camera has its name in that file.
+Rig rig_of_camera(const Rig& rig, const Camera& camera, const Part& part) {
   const std::string& name = part.rig.cameras.front().name;
   Rig result = part.rig;
   result.cameras = {camera};
@@ -66,7 +68,8 @@ Rig alone(const Rig& rig, const Camera& camera, const Part& part) {
   result.poses.clear();
   for (PoseEdge edge : rig.poses) {
     if (edge.a != camera.name && edge.b != camera.name) continue;
-    (edge.a == camera.name ? edge.a : edge.b) = name;
+    std::string& end = edge.a == camera.name ? edge.a : edge.b;
+    end = name;
     result.poses.push_back(std::move(edge));
   }
   for (const Frame& frame : rig.frames) result.add_frame(frame.name, frame.kind);
@@ -81,10 +84,11 @@ void append(Written part, Written& all) {
   for (PoseEdge& edge : part.restated) all.restated.push_back(std::move(edge));
 }
 
-/// The inputs of that format with an IMU and no camera, where it has such files.
+/// The input files of that format with an IMU and no camera; none if the format has no such files.
 std::vector<Part> imu_parts_of(const Calibration& source, const Format& format) {
   std::vector<Part> parts;
-  for (std::size_t i = 0; i < source.documents.size() && format.imu_file; ++i) {
+  if (!format.imu_file) return parts;
+  for (std::size_t i = 0; i < source.documents.size(); ++i) {
     if (source.formats[i] != &format) continue;
     const std::optional<Rig> rig = rig_alone(source, i);
     if (rig && rig->cameras.empty() && !rig->imus.empty()) parts.push_back({&source.documents[i], *rig});
@@ -92,35 +96,36 @@ std::vector<Part> imu_parts_of(const Calibration& source, const Format& format) 
   return parts;
 }
 
-/// Takes what an IMU's own file says out of the rig, also of its cameras' clocks.
-void take_out(const Part& part, const Format& format, std::vector<std::pair<Camera, Part>>& cameras, Rig& rig) {
+/// Removes the IMUs of a file and its extra fields from the rig. A camera whose time offset is the one that the IMU's file
+/// gives (through format.complete) loses it, since that file keeps it.
+void remove_imus(const Part& part, const Format& format, std::vector<std::pair<Camera, Part>>& cameras, Rig& rig) {
   for (const ExtraField& extra : part.rig.extra_fields) {
     const auto found = std::ranges::find(rig.extra_fields, extra);
     if (found != rig.extra_fields.end()) rig.extra_fields.erase(found);
   }
   std::erase_if(rig.imus, [&part](const Imu& imu) { return std::ranges::count(part.rig.imus, imu.name, &Imu::name) > 0; });
-  for (auto& [camera, own] : cameras) {
+  for (auto& [camera, camera_file] : cameras) {
     Rig with_camera = part.rig;
-    with_camera.cameras = own.rig.cameras;
+    with_camera.cameras = camera_file.rig.cameras;
     if (format.complete != nullptr) format.complete(with_camera);
     if (camera.time_offset_s == with_camera.cameras.front().time_offset_s) camera.time_offset_s.reset();
   }
 }
 
-/// What the rig says of the IMUs of a file.
-Rig of_imus(const Part& part, const Rig& rig) {
+/// The rig of an IMU's file, with IMUs and poses as they are now in `rig`.
+Rig rig_of_imus(const Part& part, const Rig& rig) {
   Rig result = part.rig;
   for (Imu& imu : result.imus) {
-    const auto now = std::ranges::find(rig.imus, imu.name, &Imu::name);
-    if (now != rig.imus.end()) imu = *now;
+    const auto found = std::ranges::find(rig.imus, imu.name, &Imu::name);
+    if (found != rig.imus.end()) imu = *found;
   }
   for (PoseEdge& edge : result.poses) {
-    if (const Transform* now = rig.stated(edge.a, edge.b)) edge.T_a_b = *now;
+    if (const Transform* T_a_b = rig.stated(edge.a, edge.b)) edge.T_a_b = *T_a_b;
   }
   return result;
 }
 
-/// Files of which two would have one place have none.
+/// If several files would lie at the same place in their program's folder, none of them has a place.
 void forget_shared_places(std::vector<Written::File>& files) {
   std::vector<std::string> places;
   places.reserve(files.size());
@@ -130,7 +135,7 @@ void forget_shared_places(std::vector<Written::File>& files) {
   }
 }
 
-/// Files in the order of the rig's cameras.
+/// Sorts the files by their first camera's position in the rig; files without cameras come last.
 void sort_files(const Rig& rig, std::vector<Written::File>& files) {
   std::ranges::stable_sort(files, {}, [&rig](const Written::File& file) {
     return file.cameras.empty() ? rig.cameras.end() : std::ranges::find(rig.cameras, file.cameras.front(), &Camera::name);
@@ -143,29 +148,29 @@ std::optional<Written> write_each_into_its_own(const Calibration& source, const 
                                                const WriteOptions& options, Diagnostics& diagnostics) {
   if (format.many_cameras && options.extension != ".txt") return std::nullopt;
   std::vector<Part> parts = parts_of(source, format);
-  std::vector<std::pair<Camera, Part>> own;
+  std::vector<std::pair<Camera, Part>> cameras;  // each with its file
   Rig rest = rig;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     const auto part = part_with(parts, source.rig.cameras[i]);
     if (part == parts.end() && source.one_format) return std::nullopt;
     if (part == parts.end()) continue;
-    take_out(*part, rig.cameras[i], rest);
-    own.emplace_back(rig.cameras[i], std::move(*part));
+    remove_camera(*part, rig.cameras[i], rest);
+    cameras.emplace_back(rig.cameras[i], std::move(*part));
     parts.erase(part);
   }
-  if (own.empty()) return std::nullopt;
+  if (cameras.empty()) return std::nullopt;
   const std::vector<Part> imus = imu_parts_of(source, format);
-  for (const Part& part : imus) take_out(part, format, own, rest);
+  for (const Part& part : imus) remove_imus(part, format, cameras, rest);
   Written all;
-  for (const auto& [camera, part] : own) {
-    Rig said = alone(rig, camera, part);
-    // What belongs to no camera (an IMU of a further file) is listed once.
+  for (const auto& [camera, part] : cameras) {
+    Rig camera_rig = rig_of_camera(rig, camera, part);
+    // If every camera has a file, the first one gets what belongs to no camera (an IMU of another format's file).
     if (rest.cameras.empty()) {
-      said.imus = std::exchange(rest.imus, {});
-      said.extra_fields.insert(said.extra_fields.end(), rest.extra_fields.begin(), rest.extra_fields.end());
+      camera_rig.imus = std::exchange(rest.imus, {});
+      camera_rig.extra_fields.insert(camera_rig.extra_fields.end(), rest.extra_fields.begin(), rest.extra_fields.end());
       rest.extra_fields.clear();
     }
-    std::optional<Written> written = write_calibration(format, part.document, said, options, diagnostics);
+    std::optional<Written> written = write_calibration(format, part.document, camera_rig, options, diagnostics);
     if (!written) return std::nullopt;
     for (Written::File& file : written->files) {
       if (!file.cameras.empty()) file.cameras = {camera.name};
@@ -178,7 +183,7 @@ std::optional<Written> write_each_into_its_own(const Calibration& source, const 
     append(*std::move(written), all);
   }
   for (const Part& part : imus) {
-    std::optional<Written> written = write_calibration(format, part.document, of_imus(part, rig), options, diagnostics);
+    std::optional<Written> written = write_calibration(format, part.document, rig_of_imus(part, rig), options, diagnostics);
     if (!written) return std::nullopt;
     append(*std::move(written), all);
   }

@@ -16,17 +16,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What people expect behind a name.
-struct Extension {
+/// The syntax that users expect in a file whose name ends so.
+struct ExpectedSyntax {
   std::string_view extension;
   std::string_view syntax;
 };
 
-constexpr std::array kExtensions = {Extension{".yaml", "YAML"},  Extension{".yml", "YAML"},          Extension{".xml", "XML"},
-                                    Extension{".json", "JSON"},  Extension{".txt", "text"},          Extension{".ini", "text"},
-                                    Extension{".bin", "binary"}, Extension{".cameramodel", "Python"}};
+constexpr std::array kExpected = {ExpectedSyntax{".yaml", "YAML"},  ExpectedSyntax{".yml", "YAML"},
+                                  ExpectedSyntax{".xml", "XML"},    ExpectedSyntax{".json", "JSON"},
+                                  ExpectedSyntax{".txt", "text"},   ExpectedSyntax{".ini", "text"},
+                                  ExpectedSyntax{".bin", "binary"}, ExpectedSyntax{".cameramodel", "Python"}};
 
-std::string_view name_of(text::Syntax syntax) {
+std::string_view syntax_name(text::Syntax syntax) {
   switch (syntax) {
     case text::Syntax::kXml:
       return "XML";
@@ -40,32 +41,34 @@ std::string_view name_of(text::Syntax syntax) {
       return "binary";
     case text::Syntax::kYaml:
     case text::Syntax::kOpenCvYaml:
-      break;
+      return "YAML";
   }
-  return "YAML";
+  return "";
 }
 
 bool is_misnamed(const std::string& path, text::Syntax syntax) {
   const std::string extension = fs::path(path).extension().string();
-  const auto known = std::ranges::find(kExtensions, extension, &Extension::extension);
-  return known != kExtensions.end() && known->syntax != name_of(syntax);
+  const auto known = std::ranges::find(kExpected, extension, &ExpectedSyntax::extension);
+  return known != kExpected.end() && known->syntax != syntax_name(syntax);
 }
 
-/// The file without cameras (an IMU's) that would be left out though the input's parts were given for it; null if there is
-/// none.
+/// The user gave a part of the input by itself (an IMU's file), and the output has no place for the file that would hold it:
+/// that file. Null if there is a place, or nothing was given, or the caller allows it to be left out.
 const ConvertedFile* given_part_without_room(const ConvertRequest& request, const ConvertResult& result) {
-  if (request.room.further_files || request.room.given_parts || request.inputs.parts.empty()) return nullptr;
+  const bool may_be_missing = request.room.further_files || request.room.given_parts;
+  if (may_be_missing || request.inputs.parts.empty()) return nullptr;
   const auto part = std::ranges::find_if(result.files, [](const ConvertedFile& file) { return file.cameras.empty(); });
   return part == result.files.end() ? nullptr : &*part;
 }
 
-/// False with an error where there is no place for so many files.
+/// Whether the output can hold all files of the result; if not, adds an error.
 bool has_room(const ConvertRequest& request, ConvertResult& result) {
   const std::size_t with_cameras = camera_files(result.files);
   if (!request.room.named_files && std::ranges::any_of(result.files, &ConvertedFile::named)) {
     result.diagnostics.add(Code::kSeveralFiles, {result.headline, result.files.size()});
   } else if (!request.room.camera_files && with_cameras > 1) {
-    // An OpenCV file of camera_calibration's keys is for one, though there are others for several cameras.
+    // Some formats hold several cameras in one of their layouts and one camera in another (OpenCV's files with the keys of
+    // camera_calibration): the message then names the layout.
     const Message one = result.to->many_cameras ? Message{Code::kOfHeadlineOne, {result.headline}}
                                                 : Message{Code::kHoldsOne, {result.to->title}};
     result.diagnostics.add(Code::kOneCameraPerFile, {one, with_cameras, extension_of(result.files.front(), *result.to)},
@@ -79,7 +82,8 @@ bool has_room(const ConvertRequest& request, ConvertResult& result) {
   return false;
 }
 
-/// The files without cameras, after the first, become losses.
+/// Removes all files without cameras but the first file. Each is reported as a loss if it held anything of the input, and its
+/// defaults are no longer listed.
 void leave_out_further_files(ConvertResult& result) {
   for (std::size_t i = result.files.size(); i-- > 1;) {
     if (!result.files[i].cameras.empty()) continue;
@@ -90,8 +94,9 @@ void leave_out_further_files(ConvertResult& result) {
   }
 }
 
-/// A model lies in its folder as text or as binary: the path of the same file in the other form; empty: it has none.
-fs::path twin_of(const fs::path& path) {
+/// COLMAP keeps each file of a model as .txt or as .bin. The path of the same file in the other form; empty for other
+/// extensions.
+fs::path other_form_of(const fs::path& path) {
   if (path.extension() == ".txt") return fs::path(path).replace_extension(".bin");
   if (path.extension() == ".bin") return fs::path(path).replace_extension(".txt");
   return {};
@@ -102,11 +107,11 @@ bool is_there(const fs::path& path) {
   return !path.empty() && fs::exists(path, ignored);
 }
 
-/// A file that the folder of a file to be written holds in the other form.
-std::optional<std::string> other_form_of(const std::vector<ConvertedFile>& files) {
+/// The first file on the disk that is the other form of a file to be written: a program would read that one, or both.
+std::optional<std::string> other_form_on_disk(const std::vector<ConvertedFile>& files) {
   for (const ConvertedFile& file : files) {
-    const bool has_place = !file.is_filler() && !file.place.empty() && fs::path(file.path).filename() == file.place;
-    if (const fs::path twin = twin_of(file.path); has_place && is_there(twin)) return twin.string();
+    if (file.is_filler() || file.place.empty() || fs::path(file.path).filename() != file.place) continue;
+    if (const fs::path other = other_form_of(file.path); is_there(other)) return other.string();
   }
   return std::nullopt;
 }
@@ -119,7 +124,7 @@ std::string extension_of(const ConvertedFile& file, const Format& format) {
 }
 
 bool is_calibration_extension(std::string_view extension) {
-  return std::ranges::find(kExtensions, extension, &Extension::extension) != kExtensions.end();
+  return std::ranges::find(kExpected, extension, &ExpectedSyntax::extension) != kExpected.end();
 }
 
 std::size_t camera_files(const std::vector<ConvertedFile>& files) {
@@ -132,24 +137,25 @@ bool place_files(const ConvertRequest& request, ConvertResult& result) {
   if (!request.room.further_files) leave_out_further_files(result);
   if (!request.room.fillers) {
     const std::size_t gone = std::erase_if(result.files, [](const ConvertedFile& file) { return file.is_filler(); });
-    // Alone it is nobody's folder.
+    // One file is no folder of a program, so its name is free.
     if (gone > 0 && result.files.size() == 1) result.files.front().place.clear();
   }
   for (std::size_t i = 0; request.path_of && i < result.files.size(); ++i) {
     ConvertedFile& file = result.files[i];
     file.path = request.path_of(result, i);
-    if (file.path != request.into && is_misnamed(file.path, file.syntax))
-      result.diagnostics.add(Code::kMisnamed, {file.path, name_of(file.syntax)});
+    const bool user_named_it_before = file.path == request.into;
+    if (!user_named_it_before && is_misnamed(file.path, file.syntax))
+      result.diagnostics.add(Code::kMisnamed, {file.path, syntax_name(file.syntax)});
   }
-  const std::optional<std::string> other = request.into.empty() ? other_form_of(result.files) : std::nullopt;
+  const std::optional<std::string> other = request.into.empty() ? other_form_on_disk(result.files) : std::nullopt;
   if (other) {
     result.diagnostics.add(Code::kOtherFormInFolder, {*other});
     result.status = Status::kBadRequest;
     return false;
   }
-  // What the program's folder has already, as text or binary, is somebody's work.
+  // A filler that exists, in either form, may hold the user's work: it stays.
   std::erase_if(result.files, [](const ConvertedFile& file) {
-    return file.is_filler() && !file.path.empty() && (is_there(file.path) || is_there(twin_of(file.path)));
+    return file.is_filler() && !file.path.empty() && (is_there(file.path) || is_there(other_form_of(file.path)));
   });
   return true;
 }

@@ -5,8 +5,8 @@
 
 namespace fca {
 
-/// Gives the result's files their paths. Those that there is no room for are left out, with a loss, or are an error, and then
-/// it is false.
+/// Removes the files that the output has no place for (request.room), and sets the path of the others. False, with an error, if
+/// such a file must not be left out, or the folder already holds the other form (text or binary) of one.
 [[nodiscard]] bool place_files(const ConvertRequest& request, ConvertResult& result);
 
 }  // namespace fca

@@ -8,19 +8,23 @@
 namespace fca {
 
 std::optional<StereoCameras> stereo_cameras(const Rig& input, const std::vector<ConvertedCamera>& cameras) {
-  Rig rig;
-  rig.poses = input.poses;
-  std::vector<std::size_t> indices;
+  Rig candidates;  // the cameras that can be rectified
+  candidates.poses = input.poses;
+  std::vector<std::size_t> indices;  // of the candidates in `cameras`
   for (std::size_t i = 0; i < cameras.size(); ++i) {
-    const Camera& source = cameras[i].source;
-    if (!source.rays.empty() || !source.image_size) continue;
-    rig.cameras.push_back(source);
+    const Camera& camera = cameras[i].source;
+    const bool is_ray_table = !camera.rays.empty();  // it has no formula to rectify by
+    if (is_ray_table || !camera.image_size) continue;
+    candidates.cameras.push_back(camera);
     indices.push_back(i);
   }
-  const auto places = stereo_pair(rig);
-  if (!places) return std::nullopt;
-  const std::optional<Transform> T = rig.resolve(rig.cameras[places->second].name, rig.cameras[places->first].name);
-  return T ? std::optional(StereoCameras{indices[places->first], indices[places->second], *T}) : std::nullopt;
+  const auto pair = stereo_pair(candidates);
+  if (!pair) return std::nullopt;
+  const auto [first, second] = *pair;
+  const std::optional<Transform> T_second_first =
+      candidates.resolve(candidates.cameras[second].name, candidates.cameras[first].name);
+  if (!T_second_first) return std::nullopt;
+  return StereoCameras{indices[first], indices[second], *T_second_first};
 }
 
 }  // namespace fca

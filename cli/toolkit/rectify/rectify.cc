@@ -2,7 +2,7 @@
 #include <fca/toolkit/rectify.h>
 
 #include "like_opencv.h"
-#include "remap/map_rows.h"
+#include "remap/compute_map.h"
 #include "settings.h"
 #include "source_pair.h"
 #include "stereo_rectify.h"
@@ -87,14 +87,14 @@ bool add_maps(const RectifyRequest& request, RectifyResult& result) {
   for (std::size_t i = 0; i < 2; ++i) {
     const Camera& source = result.cameras.at(i);
     const Camera target = rectified_camera(result.pair, i, result.size);
-    if (!sides_are_mapped(source, result.diagnostics) || !sides_are_mapped(target, result.diagnostics)) return false;
+    if (!fits_cv_remap(source, result.diagnostics) || !fits_cv_remap(target, result.diagnostics)) return false;
     const std::optional<Transform> T_source_target = inverse(result.pair.views.at(i).T_rectified_camera);
     const std::optional<ImageMapper> mapper =
         T_source_target
             ? ImageMapper::between(source, target, *T_source_target, request.inputs.max_angle_rad, result.diagnostics)
             : std::nullopt;
     if (!mapper) return false;
-    result.maps.push_back(map_of(*mapper, request.jobs));
+    result.maps.push_back(compute_map(*mapper, request.jobs));
     const std::vector<std::uint8_t> mask = seen(result.maps.back(), *source.image_size);
     result.seen_shares.at(i) = static_cast<double>(std::ranges::count(mask, 255)) / static_cast<double>(mask.size());
   }

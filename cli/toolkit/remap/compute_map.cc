@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "map_rows.h"
+#include "compute_map.h"
 
 #include "parallel_for.h"
 
@@ -12,18 +12,18 @@
 
 namespace fca {
 
-bool sides_are_mapped(const Camera& camera, Diagnostics& diagnostics) {
+bool fits_cv_remap(const Camera& camera, Diagnostics& diagnostics) {
   if (!camera.image_size) {
     diagnostics.add(Code::kCameraWithoutSize, {camera.name});
     return false;
   }
   const auto& [width, height] = *camera.image_size;
-  if (std::max(width, height) <= kLongestSide && std::int64_t{width} * height <= kMostPixels) return true;
-  diagnostics.add(Code::kImagesTooLarge, {width, height, kLongestSide});
+  if (std::max(width, height) <= kLongestSidePx && std::int64_t{width} * height <= kMostPixels) return true;
+  diagnostics.add(Code::kImagesTooLarge, {width, height, kLongestSidePx});
   return false;
 }
 
-ImageMap map_of(const ImageMapper& mapper, std::size_t jobs) {
+ImageMap compute_map(const ImageMapper& mapper, std::size_t jobs) {
   const ImageSize size = mapper.size();
   const auto stride = 2 * static_cast<std::size_t>(size.width);
   const auto rows = static_cast<std::size_t>(size.height);

@@ -9,13 +9,15 @@
 
 namespace fca {
 
-/// All rows of a map, up to `jobs` pieces at the same time.
-[[nodiscard]] ImageMap map_of(const ImageMapper& mapper, std::size_t jobs);
+/// Computes the whole map, in bands of rows of which up to `jobs` are computed at the same time (0: as many as processors).
+[[nodiscard]] ImageMap compute_map(const ImageMapper& mapper, std::size_t jobs);
 
-/// cv::remap counts in 16 bits.
-inline constexpr int kLongestSide = 32766;
+/// The largest width or height of an image: cv::remap stores pixel coordinates in 16 bits with a sign, and takes no image of
+/// 32,767 px.
+inline constexpr int kLongestSidePx = 32766;
 
-/// Can images of the camera's size be mapped? Else an error.
-[[nodiscard]] bool sides_are_mapped(const Camera& camera, Diagnostics& diagnostics);
+/// Whether images of the camera's size are small enough for cv::remap and for memory; if not, or the size is not known, adds an
+/// error.
+[[nodiscard]] bool fits_cv_remap(const Camera& camera, Diagnostics& diagnostics);
 
 }  // namespace fca

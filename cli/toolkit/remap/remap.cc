@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "remap/map_rows.h"
+#include "remap/compute_map.h"
 
 #include <fca/code.h>
 #include <fca/convert/convert.h>
@@ -81,7 +81,7 @@ std::optional<Camera> as_model(const RemapRequest& request, const ModelInfo& mod
 ImageSize equirectangular_size(const Camera& source) {
   const auto [f_u, f_v] = central_focal_lengths(source.model);
   const double height = std::round(std::numbers::pi * std::max(f_u, f_v));
-  const int rows = static_cast<int>(std::clamp(height, 1.0, 0.5 * kLongestSide));
+  const int rows = static_cast<int>(std::clamp(height, 1.0, 0.5 * kLongestSidePx));
   return {2 * rows, rows};
 }
 
@@ -109,8 +109,7 @@ bool make_map(const RemapRequest& request, Files& files, RemapResult& result) {
   if (!source) return false;
   result.source = *source;
   std::optional<View> view = view_of(request, *source, files, result.diagnostics);
-  if (!view || !sides_are_mapped(*source, result.diagnostics) || !sides_are_mapped(view->camera, result.diagnostics))
-    return false;
+  if (!view || !fits_cv_remap(*source, result.diagnostics) || !fits_cv_remap(view->camera, result.diagnostics)) return false;
   result.view = std::move(view->camera);
   result.T_source_view = inverse(view->T_camera_source).value_or(Transform());
   result.is_equirectangular = std::holds_alternative<EquirectangularView>(request.view);
@@ -130,7 +129,7 @@ bool make_map(const RemapRequest& request, Files& files, RemapResult& result) {
                                             result.diagnostics)
           : ImageMapper::between(*source, result.view, result.T_source_view, limit_rad, result.diagnostics);
   if (!mapper) return false;
-  result.map = map_of(*mapper, request.jobs);
+  result.map = compute_map(*mapper, request.jobs);
   return true;
 }
 

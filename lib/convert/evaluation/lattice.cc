@@ -14,7 +14,7 @@ namespace fca::internal {
 
 namespace {
 
-/// Of what is scored.
+/// At least so many points have an error: figures are then within 0.3 % of those of all pixels.
 constexpr std::size_t kFewestPoints = 4000;
 
 /// Small images: every pixel.
@@ -25,8 +25,9 @@ void score_pixels(const ImageSize& size, LatticePoints& points) {
   points.finish();
 }
 
-/// Spokes from the principal point (or the pixel next to it) to nodes along the image's sides: the sides' pieces and the
-/// spokes' end where anything jumps, so that Gauss-Legendre nodes stand for the area between them.
+/// Points on spokes that go from the principal point (or the image's pixel nearest to it) to points on the image's four sides.
+/// Sides and spokes are cut into pieces where the error or the verdict jumps; each piece has Gauss-Legendre nodes, whose
+/// weights are the areas that they stand for.
 class Lattice {
  public:
   Lattice(const Scorer& scorer, const LatticeSink& sink)
@@ -51,7 +52,7 @@ class Lattice {
   }
 
  private:
-  /// gauss_legendre(count), which takes as long as some points to find its own.
+  /// gauss_legendre(count), kept: finding it in its own table takes as long as some points.
   const std::vector<Node>& nodes(int count) {
     const std::vector<Node>*& found = nodes_.at(static_cast<std::size_t>(count));
     if (found == nullptr) found = &gauss_legendre(count);
@@ -76,11 +77,12 @@ class Lattice {
     }
   }
 
-  /// A sum over pixels is the integral between the outermost ones and, at each end, 1/2 of the value there and 1/12 of what it
-  /// grows by within a pixel (Euler and Maclaurin, the growth as a difference).
+  /// A sum over the pixels of a line is the integral from the first to the last one and, at each end, f(end) / 2 +
+  /// (f(end) - f(next to the end)) / 12 (Euler and Maclaurin, with a difference for the slope).
   static constexpr double kOutermost = 1.0 / 2.0 + 1.0 / 12.0;
-  static constexpr double kNextToIt = -1.0 / 12.0;
+  static constexpr double kNextToOutermost = -1.0 / 12.0;
 
+  /// A step of one pixel from the border into the image: across a side, diagonal at a corner.
   [[nodiscard]] Pixel inwards(const Pixel& pixel) const {
     Pixel step{};
     for (std::size_t i = 0; i < 2; ++i) step[i] = pixel[i] == 0.0 ? 1.0 : pixel[i] == last()[i] ? -1.0 : 0.0;
@@ -90,26 +92,26 @@ class Lattice {
   void add_corner(const Pixel& corner) {
     const auto [right, down] = inwards(corner);
     scored_.add(corner, kOutermost * kOutermost);
-    scored_.add({corner[0] + right, corner[1]}, kOutermost * kNextToIt);
-    scored_.add({corner[0], corner[1] + down}, kOutermost * kNextToIt);
-    scored_.add({corner[0] + right, corner[1] + down}, kNextToIt * kNextToIt);
+    scored_.add({corner[0] + right, corner[1]}, kOutermost * kNextToOutermost);
+    scored_.add({corner[0], corner[1] + down}, kOutermost * kNextToOutermost);
+    scored_.add({corner[0] + right, corner[1] + down}, kNextToOutermost * kNextToOutermost);
   }
 
-  /// In a corner errors may grow tenfold within a fiftieth of a side: parts there are short, with as many nodes as long ones.
+  /// Near a corner the error may grow tenfold within a fiftieth of a side: the parts there are short, with four nodes at least.
   void add_piece_of_side(const Line& side, const LineCutter::Piece& piece) {
     static constexpr std::array kCuts = {0.02, 0.1, 0.9, 0.98, 1.0};
-    constexpr double kMiddle = 0.9;
+    constexpr double kEndOfMiddle = 0.9;
     double begin = piece.begin;
     for (const double cut : kCuts) {
       const double end = piece.scored ? std::min(cut, piece.end) : piece.end;
       if (end <= begin) continue;
-      add_part_of_side(side, {begin, end, piece.scored}, cut != kMiddle);
+      add_part_of_side(side, {begin, end, piece.scored}, cut != kEndOfMiddle);
       begin = end;
     }
   }
 
-  /// Its nodes are the ends of spokes. Pixels on the border reach half a pixel beyond it: with the weights of these strips, and
-  /// of the corners, a sum over the lattice stands for that over all pixels.
+  /// Adds a spoke to each node of the part. The border's pixels reach half a pixel beyond the spokes' area: the weights added
+  /// here and at the corners make up for it, so that all weights together are the number of pixels.
   void add_part_of_side(const Line& side, const LineCutter::Piece& part, bool near_corner) {
     constexpr double kSpokes = 64.0;
     constexpr int kFewest = 3;
@@ -124,7 +126,7 @@ class Lattice {
       const Pixel end = side.at(part.begin + node.position * part.share());
       const auto [right, down] = inwards(end);
       points_of(part).add(end, kOutermost * node.weight * length);
-      points_of(part).add({end[0] + right, end[1] + down}, kNextToIt * node.weight * length);
+      points_of(part).add({end[0] + right, end[1] + down}, kNextToOutermost * node.weight * length);
       spokes_.push_back({centre_, end});
       twice_areas_.push_back(node.weight * twice_area);
     }
@@ -132,11 +134,11 @@ class Lattice {
 
   /// A part of a spoke, with nodes of its own.
   struct Part {
-    double begin;
-    double share;
-    int fewest;  ///< Nodes.
+    double begin;  ///< 0: the spoke's centre, 1: the border.
+    double share;  ///< Of the spoke's length.
+    int fewest;    ///< Nodes.
     bool scored;
-    bool last_of_scored;  ///< What follows is not.
+    bool last_of_scored;  ///< The next part of the spoke is not scored.
 
     [[nodiscard]] int nodes(double density) const {
       return std::max(fewest, 1 + static_cast<int>(std::min(density * share, kMostNodes - 1.0)));
@@ -144,10 +146,11 @@ class Lattice {
   };
   static constexpr int kMostNodes = 64;
 
-  /// Where errors are 0 at some angle, their mean asks for nodes at many angles: pieces are divided elsewhere on each spoke.
+  /// Divides the pieces of a spoke in two. The error is often 0 at some angle from the axis and has a kink there; nodes at the
+  /// same angles on all spokes would then bias the mean. So each spoke is divided at another place.
   void divide_spoke(std::size_t i) {
-    constexpr double kGoldenRatio = 0.6180339887498949;
-    constexpr int kManyAtEdge = 6;  // there errors bend the most
+    constexpr double kGoldenRatio = 0.6180339887498949;  // its multiples, modulo 1, are spread evenly
+    constexpr int kManyAtEdge = 6;                       // there errors bend the most
     const int few = i % 2 == 0 ? 3 : 4;
     const double turn = static_cast<double>(i) * kGoldenRatio;
     const double shift = turn - std::floor(turn);
@@ -167,12 +170,12 @@ class Lattice {
     ends_.push_back(parts_.size());
   }
 
-  /// Nodes per length of a spoke, so that there are enough points in all.
+  /// How many nodes a whole spoke has, so that kFewestPoints points are scored.
   [[nodiscard]] double find_density() const {
     constexpr double kLeast = 20.0;
-    constexpr double kMost = 1e7;          // slivers have kMostNodes, too: where next to nothing is scored, there are no more
-    constexpr double kLeastGrowth = 1.25;  // most parts may have as many nodes as they need already
-    // The last one of a spoke may turn out to lie beyond the edge.
+    constexpr double kMost = 1e7;          // here every part has kMostNodes: of a tiny region there are fewer points
+    constexpr double kLeastGrowth = 1.25;  // parts at their least or most number of nodes do not grow with the density
+    // One point of each spoke lies at the edge of the domain and may turn out to be outside.
     const std::size_t fewest = kFewestPoints + spokes_.size();
     double density = kLeast;
     while (density < kMost) {
@@ -184,9 +187,9 @@ class Lattice {
     return density;
   }
 
-  /// The spoke's scored points lie in a row.
+  /// Adds the spoke's points; the scored ones as rows, since they lie on one line.
   void add_spoke(std::size_t i, std::span<const Part> parts, double density) {
-    constexpr double kHair = 1e-6;
+    constexpr double kInsideEdge = 1e-6;
     std::array<double, Batch::kSize> places;
     std::array<double, Batch::kSize> weights;
     std::size_t count = 0;
@@ -196,7 +199,7 @@ class Lattice {
       count = 0;
     };
     for (const Part& part : parts) {
-      // What a node stands for widens with its distance from the spoke's begin.
+      // The area for which a node stands grows with its distance from the centre.
       const double area = twice_areas_[i] * part.share;
       if (!part.scored) {
         const double middle = part.begin + 0.5 * part.share;
@@ -210,29 +213,29 @@ class Lattice {
         weights[count++] = area * node.weight * place;
       }
       if (!part.last_of_scored) continue;
-      // A candidate for the maximum.
-      places[count] = part.begin + part.share - kHair;
+      // The largest error is often at the edge. This point counts for the maximum, not for the mean.
+      places[count] = part.begin + part.share - kInsideEdge;
       weights[count++] = 0.0;
     }
     finish();
   }
 
   LatticePoints scored_;
-  LatticePoints unscored_;  ///< Apart: batches of which all is scored take less time.
+  LatticePoints unscored_;  ///< Kept apart, since batches whose points are all scored take less time.
   LineCutter cutter_;
   ImageSize size_;
   Pixel centre_{};
   std::vector<Line> spokes_;
-  std::vector<double> twice_areas_;                               ///< Of the triangles for which the spokes stand.
-  std::vector<Part> parts_;                                       ///< Of all spokes.
-  std::vector<std::size_t> ends_;                                 ///< Of each spoke's.
-  std::array<const std::vector<Node>*, kMostNodes + 1> nodes_{};  ///< By their number.
+  std::vector<double> twice_areas_;                               ///< px^2: the triangle that each spoke stands for, twice.
+  std::vector<Part> parts_;                                       ///< Of all spokes, one after the other.
+  std::vector<std::size_t> ends_;                                 ///< Where each spoke's parts end in parts_.
+  std::array<const std::vector<Node>*, kMostNodes + 1> nodes_{};  ///< By how many nodes there are.
 };
 
 }  // namespace
 
 void score_lattice(const Scorer& scorer, const LatticeSink& sink) {
-  constexpr long long kPixels = 5000;
+  constexpr long long kPixels = 5000;  // about as many as the lattice has points
   const ImageSize& size = scorer.domain().size;
   if (1LL * size.width * size.height <= kPixels) {
     LatticePoints points(scorer, sink);

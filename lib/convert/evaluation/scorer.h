@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The error of a pair of models at given pixels, many at a time.
+// For many pixels of a source camera at a time: how far from each [px] the target images the pixel's ray.
 #pragma once
 
 #include "../../models/kernels/batch.h"
@@ -12,17 +12,20 @@
 
 namespace fca::internal {
 
-/// Source, target and domain of a judgement.
+/// Compares a source with a target in a domain of pixels and angles. A batch kernel answers most pixels; the models themselves
+/// answer those about which it is not sure.
 class Scorer {
  public:
-  /// One of `model` and `program` is the target, the other null; both are kept by reference.
+  /// The target is `model` or `program`; the other is null. The target and `domain` must outlive the scorer.
+  /// `target_reach_rad`: the angle from the axis up to which the target has pixels.
   Scorer(Lens source, const CameraModel* model, const Projection* program, const Domain& domain, double target_reach_rad);
 
-  /// Fills in error, cosine and verdict. Models are chosen once per call: give many points at a time. True if all are surely
-  /// scored.
+  /// Fills in error, cosine and verdict of the first `count` points. Each call chooses the models' code once, so give it many
+  /// points. True if the kernel alone found that all are scored.
   bool score(Batch& batch, std::size_t count) const;
   void score(std::span<Point> points) const;
-  /// The source's rays alone; z may be kNoRay, surely beyond the domain, or kAskModel.
+  /// Only the source's rays. Their z is kNoRay where the pixel is certainly outside the domain, kAskModel where the kernel is
+  /// not sure (models/kernels/rays.h).
   void find_rays(Batch& batch, std::size_t count) const;
   [[nodiscard]] Point at(const Pixel& pixel) const;
 
@@ -33,7 +36,7 @@ class Scorer {
   [[nodiscard]] double target_reach_rad() const { return reach_.angle; }
 
  private:
-  /// Asks the models for what the batch has not found, and decides.
+  /// The verdict of one point, with the models' answers where the kernel had none.
   [[nodiscard]] Verdict look_closer(Batch& batch, std::size_t i) const;
   [[nodiscard]] std::optional<Pixel> image_of(const Ray& ray) const;
 
@@ -43,10 +46,10 @@ class Scorer {
   const Domain& domain_;
   AngleLimit lens_;
   AngleLimit reach_;
-  AngleLimit surely_reached_;          ///< Within it, a batch needs not ask the model for its domain.
-  double surely_scored_;               ///< The cosine above which both limits hold.
-  std::optional<BatchRays> rays_;      ///< Of a source of the list.
-  std::optional<BatchErrors> errors_;  ///< Of a target of the list.
+  AngleLimit surely_reached_;      ///< Rays within it are certainly in the target's domain.
+  double surely_scored_;           ///< If the cosine of a ray's angle is larger, the ray is within lens_ and surely_reached_.
+  std::optional<BatchRays> rays_;  ///< Nothing if the source is no valid camera model.
+  std::optional<BatchErrors> errors_;  ///< Nothing if the target is no valid camera model.
 };
 
 }  // namespace fca::internal

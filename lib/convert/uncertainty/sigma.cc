@@ -21,14 +21,19 @@ void set_covariance(const Eigen::MatrixXd& covariance, Uncertainty& uncertainty)
   }
 }
 
-double worst_sigma(const TwoRows& jacobian, const Covariance& covariance) {
-  const Eigen::Matrix2d of_pixel = jacobian * covariance * jacobian.transpose();
-  const double mean = 0.5 * (of_pixel(0, 0) + of_pixel(1, 1));
-  const double spread = std::hypot(0.5 * (of_pixel(0, 0) - of_pixel(1, 1)), 0.5 * (of_pixel(0, 1) + of_pixel(1, 0)));
-  return std::sqrt(std::max(0.0, mean + spread));
+double sigma_of_pixel(const ParameterJacobian& jacobian, const Covariance& covariance) {
+  const Eigen::Matrix2d pixel_covariance = jacobian * covariance * jacobian.transpose();
+  // The larger eigenvalue of a symmetric 2 x 2 matrix is the mean of both and half of their difference.
+  const double mean = 0.5 * (pixel_covariance(0, 0) + pixel_covariance(1, 1));
+  const double half_difference = std::hypot(0.5 * (pixel_covariance(0, 0) - pixel_covariance(1, 1)),
+                                            0.5 * (pixel_covariance(0, 1) + pixel_covariance(1, 0)));
+  return std::sqrt(std::max(0.0, mean + half_difference));
 }
 
-double largest_sigma(const TwoRows& jacobian, const Eigen::VectorXd& sigmas) {
+double sigma_bound_of_pixel(const ParameterJacobian& jacobian, const Eigen::VectorXd& sigmas) {
+  // All sums of +-J_i sigma_i fill a polygon that is symmetric about 0, with sides 2 J_i sigma_i; its farthest corner is the
+  // bound. First all sides point into the upper half plane, and their sum is a corner. Then one side after the other, by its
+  // angle, changes its sign: that visits half of the corners, and the others are their mirror images.
   std::vector<Eigen::Vector2d> sides;
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();
   for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
@@ -37,7 +42,6 @@ double largest_sigma(const TwoRows& jacobian, const Eigen::VectorXd& sigmas) {
     sides.push_back(side);
     corner += side;
   }
-  // All sides point to one half plane: turning them over one by one, by their angle, walks along half of the zonogon's corners.
   std::ranges::sort(sides, {}, [](const Eigen::Vector2d& side) { return std::atan2(side[1], side[0]); });
   double largest = corner.norm();
   for (const Eigen::Vector2d& side : sides) {

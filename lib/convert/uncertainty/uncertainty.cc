@@ -23,17 +23,18 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using internal::ParameterJacobian;
 using internal::PixelJacobian;
-using internal::TwoRows;
 
 bool is_of(const Uncertainty& uncertainty, const CameraModel& model) {
   return uncertainty.model == model_info(model).id && uncertainty.sigmas.size() == parameter_values(model).size();
 }
 
-double sigma_at(const TwoRows& jacobian, const Uncertainty& uncertainty) {
-  if (uncertainty.has_covariance()) return internal::worst_sigma(jacobian, internal::covariance_of(uncertainty));
+double sigma_at(const ParameterJacobian& jacobian, const Uncertainty& uncertainty) {
+  if (uncertainty.has_covariance()) return internal::sigma_of_pixel(jacobian, internal::covariance_of(uncertainty));
   const std::vector<double>& sigmas = uncertainty.sigmas;
-  return internal::largest_sigma(jacobian, Eigen::Map<const Eigen::VectorXd>(sigmas.data(), static_cast<Index>(sigmas.size())));
+  return internal::sigma_bound_of_pixel(jacobian,
+                                        Eigen::Map<const Eigen::VectorXd>(sigmas.data(), static_cast<Index>(sigmas.size())));
 }
 
 MatrixXd columns_of(const MatrixXd& all, std::span<const std::size_t> which) {
