@@ -5,8 +5,8 @@
 
 namespace fca {
 
-/// Gives the result's files their paths. Those that there is no room for are left out, with a loss, or are an error, and then
-/// it is false.
+/// Sets the paths of the result's files. If the request does not allow so many files, files without cameras are removed and
+/// listed as losses; anything else is an error. False with errors.
 [[nodiscard]] bool place_files(const ConvertRequest& request, ConvertResult& result);
 
 }  // namespace fca

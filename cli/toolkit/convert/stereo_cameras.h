@@ -8,14 +8,14 @@
 
 namespace fca {
 
-/// Two of the converted cameras, by their indices.
+/// Indices of two of the converted cameras, and their relative pose.
 struct StereoCameras {
   std::size_t first = 0;
   std::size_t second = 0;
-  Transform T_second_first;  ///< As the input has it.
+  Transform T_second_first;  ///< As in the input.
 };
 
-/// The stereo pair among them, by the poses of the input. Nothing where there is none, or no pose between the two.
+/// The stereo pair among the cameras, by the poses of the input. nullopt if there is none, or no pose connects the two.
 [[nodiscard]] std::optional<StereoCameras> stereo_cameras(const Rig& input, const std::vector<ConvertedCamera>& cameras);
 
 }  // namespace fca
