@@ -239,7 +239,7 @@ bool run(const ConvertRequest& asked, Files& files, ConvertResult& result) {
     try_nearer_fit(request, start, before, result);
   }
   name_better_models(request, start, result);
-  // with a base the cameras may have other names
+  // With a base the cameras may have other names.
   if (request.into.empty()) result.pair = pair_error_of(start.input.rig, result);
   result.rms_px = worst_rms_px(result);
   result.max_px = worst_max_px(result);

@@ -104,7 +104,7 @@ class PlainerFit {
 
   /// True if the fit without the coefficient covers a smaller cone and is better inside it than `fit`, which covers more.
   bool is_better_than(const DomainFit& fit) {
-    // px; a plainer fit that ends before the whole domain has nearly reached its limit of 1 px
+    // px. A plainer fit that ends before the whole domain has nearly reached its limit of 1 px.
     constexpr double kNeverWorse = 0.5;
     if (!coefficient_ || fit.score.judgement.error.rms <= kNeverWorse) return false;
     if (!made_) make();
