@@ -13,7 +13,7 @@ namespace fca {
 [[nodiscard]] std::string pixels(double value);
 /// "cam0", or "cam0 (input's cam1)" if the written file has another name for the camera than the input.
 [[nodiscard]] std::string name_in_words(const ConvertedCamera& camera);
-/// "640 x 480"
+/// A size in pixels as text: "640 x 480"
 [[nodiscard]] std::string size_in_words(const ImageSize& size);
 
 }  // namespace fca

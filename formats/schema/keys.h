@@ -104,7 +104,7 @@ constexpr Key image_height(std::string_view name, std::string_view width, bool r
   return {name, FactKind::kImageSize, read_image_sides, write_image_height, {.other = width, .real = real}};
 }
 
-/// [width, height]
+/// The list [width, height] of the image [px].
 constexpr Key image_size(std::string_view name) { return {name, FactKind::kImageSize, read_image_size, write_image_size}; }
 
 /// An object that contains the pose T_frame_camera.
@@ -169,7 +169,7 @@ constexpr Key coefficients(std::string_view name, std::span<const ListLens> lens
   return {name, FactKind::kParameter, read_coefficients, write_coefficients, {.list_lenses = lenses}};
 }
 
-/// The camera's images per second.
+/// The camera's frame rate [Hz].
 constexpr Key frame_rate(std::string_view name) { return {name, FactKind::kFrameRate, read_frame_rate, write_frame_rate}; }
 
 /// The number of rows or columns of a 4 x 4 matrix.

@@ -103,7 +103,7 @@ struct Key;
 
 /// The keys of an object.
 struct Mapping {
-  std::span<const Key> keys;                       ///< In the order in which they are read.
+  std::span<const Key> keys;                       ///< The rows, in the order in which they are read.
   std::span<const std::string_view> written = {};  ///< The order of keys in a fresh file; empty: the order of `keys`.
   /// A prefix for the names of entries whose key no row has, which are kept as extra fields; nullopt: they are not kept.
   std::optional<std::string_view> unread = {};

@@ -175,7 +175,7 @@ bool is_of_another(const ConvertRequest& request, const Start& start, const Conv
   const consumers::LoadOptions options = load_options(ReadOptions(), result.mode);
   const std::string& bytes = start.base.document->source().bytes;
   const ConvertedFile& file = result.files.front();
-  if (file.programs.empty() || file.bytes == bytes) return false;  // unchanged, and the program loads it
+  if (file.programs.empty() || file.bytes == bytes) return false;  // the file is unchanged, and the program loads it
   const auto reads = [&](const consumers::Consumer& each) {
     return each.cameras && each.reads(result.to->id) && start.views->of(each, bytes, options).loads();
   };

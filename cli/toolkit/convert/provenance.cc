@@ -48,7 +48,7 @@ bool is_ours(std::string_view line) {
          (line.find(kArrow) != std::string_view::npos && line.find(kRms) != std::string_view::npos);
 }
 
-/// "cam0: ds -> kb4, rms 0.000232 px, max 0.00129 px up to 97.5 deg from the axis"
+/// The line of one camera: "cam0: ds -> kb4, rms 0.000232 px, max 0.00129 px up to 97.5 deg from the axis"
 std::string camera_line(const ConvertedCamera& camera, bool other_images) {
   const std::string from(camera.source.lens_id());
   const std::string to(camera.target.lens_id());

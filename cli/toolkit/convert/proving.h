@@ -17,8 +17,8 @@ namespace fca {
 /// fit. Nobody needs to wait for it: if it has not finished, or could not be started, a program prepares itself on first use.
 [[nodiscard]] std::jthread prepare_programs(const Format& format);
 
-/// The reason why a program would not load the files written of `rig`, if it did load `base` (null: none); empty if there is no
-/// such program.
+/// The reason why a program would refuse the files written of `rig`, if it did not refuse `base` (null: none) for the same
+/// reason; empty if there is no such program.
 [[nodiscard]] Message newly_refused(const Written& written, const Rig& rig, const text::Document* base, LoadedViews& views);
 
 /// Fixes spellings in the kept text of a base that the target's program would refuse (IMU.Frequency: 200, a byte order mark),

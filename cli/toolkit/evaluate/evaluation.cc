@@ -37,7 +37,7 @@ struct TimedConversion {
 };
 
 std::optional<TimedConversion> timed_conversion(const Camera& camera, ConvertOptions options, Diagnostics& diagnostics) {
-  // The first runs warm the caches, and other processes disturb some.
+  // The median of several runs: the first ones warm the caches, and other processes disturb some.
   constexpr std::size_t kRuns = 7;
   std::array<double, kRuns> times{};
   options.bound = false;

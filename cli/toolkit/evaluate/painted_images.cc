@@ -51,7 +51,7 @@ GreyImage repainted(const GreyImage& image, const std::vector<int>& origin) {
 
 /// True for each pixel whose grey level, rounded to 8 bits, is not 0.
 std::vector<bool> lit(const std::vector<GreyImage>& colours) {
-  constexpr std::array<double, 3> kShares = {0.114, 0.587, 0.299};  // of blue, green and red
+  constexpr std::array<double, 3> kShares = {0.114, 0.587, 0.299};  // weights of blue, green and red
   std::vector<bool> result;
   for (std::size_t i = 0; i < colours.front().samples.size(); ++i) {
     double grey = 0.0;

@@ -21,7 +21,7 @@ struct SampleImages {
   std::vector<std::string> paths;
 };
 
-/// "IMAGE" or "CAMERA=IMAGE"
+/// The image as the user typed it: "IMAGE" or "CAMERA=IMAGE"
 std::string in_words(const CameraImage& image) { return image.camera.empty() ? image.path : image.camera + "=" + image.path; }
 
 void refuse(const CameraImage& image, const Rig& rig, Diagnostics& diagnostics) {

@@ -18,7 +18,7 @@ namespace fca {
 
 namespace {
 
-/// "crop 512 x 512 px at (64, 0)", "binning 2", "resize to 640 x 480 px"
+/// The steps of a change as messages: "crop 512 x 512 px at (64, 0)", "binning 2", "resize to 640 x 480 px"
 std::vector<Message> steps_of(const ImageChange& change) {
   std::vector<Message> steps;
   if (change.crop)
@@ -28,7 +28,7 @@ std::vector<Message> steps_of(const ImageChange& change) {
   return steps;
 }
 
-/// "u' = 0.5 u - 0.25"
+/// The map of one axis as a message: "u' = 0.5 u - 0.25"
 Message in_words(const PixelMap& map, std::size_t axis) {
   const double shift = map.shift.at(axis);
   return {Code::kAxisMap, {axis == 0 ? "u" : "v", map.scale.at(axis), shift < 0.0 ? "-" : "+", std::abs(shift)}};

@@ -58,7 +58,7 @@ std::uint64_t seed() {
 
 /// A random name for a temporary file in that folder.
 std::string temporary_name(const fs::path& folder) {
-  thread_local std::mt19937_64 random(seed());  // the device itself takes longer than a file
+  thread_local std::mt19937_64 random(seed());  // the random device takes longer than writing a file
   std::array<char, 17> digits{};
   std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(random()));
   return (folder / (std::string(kTemporaryFile) + digits.data())).string();

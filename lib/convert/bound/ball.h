@@ -16,7 +16,7 @@ struct Ball {
   double mid = 0.0;
   double rad = 0.0;
 
-  /// The largest absolute value in it.
+  /// The largest absolute value in the ball.
   [[nodiscard]] double magnitude() const { return std::abs(mid) + rad; }
 };
 
@@ -44,7 +44,7 @@ inline Ball operator*(const Ball& a, const Ball& b) {
   return rounded(a.mid * b.mid, std::abs(a.mid) * b.rad + a.rad * (std::abs(b.mid) + b.rad));
 }
 
-/// 1 / b; unknown where b may be 0.
+/// 1 / b; unknown if b may be 0.
 inline Ball inverse(const Ball& b) {
   const double smallest = (std::abs(b.mid) - b.rad) * (1.0 - 4.0 * kRoundOff);
   if (!(smallest > 0.0)) return unknown();
@@ -52,7 +52,7 @@ inline Ball inverse(const Ball& b) {
 }
 inline Ball operator/(const Ball& a, const Ball& b) { return a * inverse(b); }
 
-/// sqrt(b); unknown where b may be 0 or negative, as its derivative is.
+/// sqrt(b); unknown if b may be 0 or negative, since its derivative is unknown there too.
 inline Ball sqrt(const Ball& b) {
   if (!(b.mid * (1.0 - 4.0 * kRoundOff) > b.rad)) return unknown();
   const double root = std::sqrt(b.mid);

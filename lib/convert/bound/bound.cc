@@ -151,7 +151,7 @@ Plane plane_of(const Field<N>& field, const Radial<N>& radial, const Cell& cell,
   return plane;
 }
 
-/// Both fields of a strip.
+/// The radial coefficients of both fields of a strip.
 template <std::size_t N>
 struct RadialPair {
   Radial<N> source;

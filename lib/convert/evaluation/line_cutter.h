@@ -84,8 +84,8 @@ class LineCutter {
 
   void cut_step(const Line& line, std::span<double> seen, std::size_t i);
 
-  /// The place in a step at which the half sine is `edge`, to 1e-3 of the line's length. nullopt if the search leaves the step
-  /// or comes to a pixel without a ray.
+  /// The place in a step at which the half sine is `edge`, to 1e-3 of the line's length. nullopt if the search leaves the step,
+  /// comes to a pixel without a ray, or does not converge.
   [[nodiscard]] std::optional<double> crossing_of_edge(const Line& line, const Step& step, double edge) const;
 
   /// Shortens a step that leaves the domain, so that it ends at the domain's edge. False if that place was not found; `step` is

@@ -108,8 +108,8 @@ std::vector<Point> scored_points(const Scorer& scorer) {
   return points;
 }
 
-/// About 600 of the points (or all), evenly by their order of cosine, the furthest from the axis among them: if that one is in
-/// a model's domain, the others are too.
+/// Some hundreds of the points (or all, if there are fewer than 1,200), evenly spaced in the order of their cosines. The
+/// furthest from the axis is one of them: if it is in a model's domain, the others are too.
 std::vector<Point> few_of(std::vector<Point> points) {
   constexpr std::size_t kFew = 600;
   const std::size_t stride = std::max<std::size_t>(1, points.size() / kFew);

@@ -44,7 +44,7 @@ class Polisher {
 
   /// Marks the parameters that the ranges fix, and moves all values into their ranges.
   void hold_fixed(Candidate& candidate) const;
-  /// Minimises without regard to bounds. False if no step could be evaluated, or too few samples have pixels.
+  /// Minimises without regard to bounds. False if the start cannot be evaluated, or too few samples have pixels.
   bool polish(Candidate& candidate, std::span<const Correspondence> samples, const Effort& effort);
   /// Moves parameters outside their bounds onto these and minimises over the others.
   void respect_bounds(Candidate& candidate, std::span<const Correspondence> samples, const Effort& effort);
