@@ -14,15 +14,15 @@ namespace fca {
 
 namespace {
 
-/// A thread's stack takes 8 MB, which stay taken when it has ended (glibc keeps stacks for further threads): where a limit
-/// leaves little, they are what OpenCV's module needs.
+/// True if the address space is limited to less than 512 MB. A thread's stack takes 8 MB and keeps them after the thread has
+/// ended (glibc reuses stacks); OpenCV's module needs this memory.
 bool address_space_is_short() {
   constexpr rlim_t kPlenty = 512UL << 20U;
   rlimit limit{};
   return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur < kPlenty;
 }
 
-/// Starts the function in a thread; nothing where there is no room for one more.
+/// Starts the function in a thread; the result is not joinable if no thread can be started.
 template <typename Function>
 std::jthread started(const Function& function) {
   if (address_space_is_short()) return {};
@@ -50,7 +50,7 @@ void parallel_for(std::size_t count, std::size_t jobs, const std::function<void(
     }
   };
   {
-    std::vector<std::jthread> others;  // joined where they go out of scope
+    std::vector<std::jthread> others;  // their destructors join them
     while (others.size() + 1 < most) {
       std::jthread other = started(work);
       if (!other.joinable()) break;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the toolkit puts into words: numbers in the comments of files.
+// Texts that the toolkit puts into comments of files.
 #pragma once
 
 #include <fca/rig/rig.h>
@@ -9,11 +9,11 @@
 
 namespace fca {
 
-/// An error in pixels: three significant digits, tiny ones as powers of ten: "0.113", "4e-14".
+/// An error in pixels with three significant digits, tiny ones as powers of ten: "0.113", "4e-14".
 [[nodiscard]] std::string pixels(double value);
-/// "cam0", or "cam0 (input's cam1)" where the file written calls a camera otherwise than the input.
+/// "cam0", or "cam0 (input's cam1)" if the written file has another name for the camera than the input.
 [[nodiscard]] std::string name_in_words(const ConvertedCamera& camera);
-/// "640 x 480"
+/// A size in pixels as text: "640 x 480"
 [[nodiscard]] std::string size_in_words(const ImageSize& size);
 
 }  // namespace fca

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of a camera: its lens, its parameters, its image, its clock.
+// Functions of the rows of a camera: lens, parameters, image, topic and time offset.
 #include "keys.h"
 
 #include <fca/formats/text/numbers.h>
@@ -14,19 +14,20 @@ using text::Node;
 
 namespace {
 
-constexpr std::size_t kLongestWord = 40;  ///< Of the file, in a message.
+constexpr std::size_t kLongestWord = 40;  ///< Characters of a text of the file that a message shows.
 
 std::string_view lens_of(const Camera& camera, const Key& key) {
   const auto found = std::ranges::find(key.with.lenses, model_info(camera.model).id, &Lens::model);
   return found == key.with.lenses.end() ? std::string_view() : found->name;
 }
 
-/// The keys that lenses have beside their parameters.
+/// True if a lens of the row has this key in addition to its parameters.
 bool is_further(const Key& key, std::string_view name) {
   return !name.empty() && std::ranges::find(key.with.lenses, name, &Lens::further) != key.with.lenses.end();
 }
 
-/// Entries that are no parameters: the limit of a lens that has one is kept, others get a warning.
+/// Reads the entries that are no parameters. The additional key of a lens (Lens::further) becomes an extra field if its number
+/// is positive; other keys get a diagnostic.
 void read_further(Reading& reading, const Key& key, const Node& node) {
   const auto& parameters = model_info(reading.camera->model).parameters;
   for (const text::Entry& entry : node.entries) {
@@ -41,13 +42,13 @@ void read_further(Reading& reading, const Key& key, const Node& node) {
   }
 }
 
-/// A word that no YAML parser takes for anything else.
+/// True for a text that every YAML parser reads as a string without quotes.
 bool is_path(std::string_view topic) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/_";
   return topic.starts_with('/') && topic.find_first_not_of(kPlain) == std::string_view::npos;
 }
 
-/// One side of the image.
+/// Writes the width or the height of the image [px].
 std::vector<Statement> write_side(const Subject& subject, const Key& key, bool is_width) {
   const std::optional<ImageSize>& size = subject.the_camera().image_size;
   if (!size) return {};
@@ -56,10 +57,10 @@ std::vector<Statement> write_side(const Subject& subject, const Key& key, bool i
   return states(key.with.real ? fields::real(key.text(), side) : fields::integer(key.text(), side), fact);
 }
 
-/// A delay is a time offset the other way round.
+/// Converts a delay to a time offset or back: the sign changes.
 double turned(double seconds) { return seconds == 0.0 ? 0.0 : -seconds; }
 
-/// The first time offset that is stated [s].
+/// The first known time offset of a camera [s]; nullopt if there is none.
 std::optional<double> common_offset(const Rig& rig) {
   const auto stated = std::ranges::find_if(rig.cameras, [](const Camera& camera) { return camera.time_offset_s.has_value(); });
   return stated == rig.cameras.end() ? std::nullopt : stated->time_offset_s;
@@ -215,7 +216,7 @@ bool read_common_delay(Reading& reading, const Key& key, const Node& node) {
   return true;
 }
 
-/// An edit leaves it where the rig says nothing of it.
+/// In an edit, the file's delay stays if the rig has no time offset.
 std::vector<Statement> write_common_delay(const Subject& subject, const Key& key) {
   const std::optional<double> offset = common_offset(subject.rig);
   if (!offset && subject.fresh == nullptr) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a rig to the text of a fresh file.
+// Composes the text of a fresh file from a rig.
 #include "../composed.h"
 #include "../spelling.h"
 #include "schema.h"
@@ -17,7 +17,8 @@ std::string entry(std::string_view name, std::size_t depth, const std::string& v
   return blanks(depth) + "\"" + std::string(name) + "\": " + value;
 }
 
-/// Values between brackets: each on lines of its own, or all on one.
+/// Values between brackets. With a depth, each is on a line of its own and the closing bracket is indented by `depth` blanks;
+/// without one, all are on one line.
 std::string enclosed(const std::vector<std::string>& values, char open, char close, std::optional<std::size_t> depth) {
   std::string text(1, open);
   std::string separator = depth ? "\n" : "";
@@ -28,7 +29,7 @@ std::string enclosed(const std::vector<std::string>& values, char open, char clo
   return text + (depth ? "\n" + blanks(*depth) : "") + close;
 }
 
-/// Key and value of each statement.
+/// The text of each statement of a row: key and value.
 std::vector<std::string> lines_of(const Subject& subject, const Key& key, std::size_t depth) {
   std::vector<std::string> lines;
   for (const Statement& statement : key.write(subject, key)) {
@@ -46,7 +47,7 @@ std::vector<std::string> lines_of(const Subject& subject, const Key& key, std::s
 
 std::vector<std::string> members(const Subject& subject, const Mapping& mapping, std::size_t depth);
 
-/// An object at that depth.
+/// The text of an object, whose closing bracket is indented by `depth` blanks.
 std::string object(const Subject& subject, const Key& key, std::size_t depth) {
   const std::size_t below = depth + kDeeper;
   const std::vector<std::string> lines =
@@ -56,7 +57,7 @@ std::string object(const Subject& subject, const Key& key, std::size_t depth) {
 
 bool is_object(const Key& key) { return key.with.mapping != nullptr || key.inside; }
 
-/// A list with one item for each camera.
+/// The text of a list with one item for each camera.
 std::string list(const Subject& subject, const Key& key, std::size_t depth) {
   std::vector<std::string> items;
   for (std::size_t i = 0; key.spread != Spread::kSomeEach && i < subject.rig.cameras.size(); ++i) {

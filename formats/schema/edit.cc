@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a document that states one rig to the same document with the numbers of another.
+// Edits a document that contains one rig so that it contains another.
 #include "schema.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class Editor {
   }
 
  private:
-  /// What the rig does not state stays.
+  /// Adds the fields of a row before and after the edit. A fact that the new rig does not have stays as it is.
   static void add_fields(const Key& key, const Subject& before, const Subject& after, std::vector<Field>& from,
                          std::vector<Field>& to) {
     if (key.write == nullptr) return;
@@ -41,7 +41,7 @@ class Editor {
     std::ranges::move(now, std::back_inserter(to));
   }
 
-  /// The value of a key: an object, or a list with an item for each camera.
+  /// Edits the value of a key: an object, or a list with one item for each camera.
   void edit_below(const Key& key, const Node& value, const Subject& before, const Subject& after) {
     if (key.spread == Spread::kOnce) return edit_value(key, value, before, after);
     for (std::size_t i = 0; i < std::min(value.items.size(), after.rig.cameras.size()); ++i)

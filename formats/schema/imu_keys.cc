@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of the IMU, and those of what a rig has no member for.
+// Functions of the rows of the IMU, and of rows whose values a rig keeps as extra fields.
 #include "keys.h"
 
 #include <fca/formats/text/numbers.h>
@@ -12,14 +12,15 @@ using text::Node;
 
 namespace {
 
-/// The IMU whose keys are read; else the one of the file, which has it once a key speaks of it.
+/// The IMU whose keys are being read. Without one, the file's only IMU, which the first key adds to the rig.
 Imu& imu_of(Reading& reading) {
   if (reading.imu != nullptr) return *reading.imu;
   if (reading.rig.imus.empty()) reading.rig.imus.emplace_back().name = kImu;
   return reading.rig.imus.front();
 }
 
-/// What the rig states; in a fresh file else what the program starts from.
+/// The rig's value. If it has none, a fresh file gets the program's initial value, which is listed as a default; an edit gets
+/// nullopt.
 std::optional<double> value_of(const Subject& subject, const Key& key) {
   const std::optional<double> stated =
       subject.imu < subject.rig.imus.size() ? subject.rig.imus[subject.imu].*key.with.imu : std::nullopt;
@@ -31,7 +32,7 @@ std::optional<double> value_of(const Subject& subject, const Key& key) {
 
 Fact fact_of(const Key& key) { return {.kind = FactKind::kImu, .imu = key.with.imu}; }
 
-/// Numbers that the rig keeps from a file with such a key; zeros where it has none.
+/// The numbers of this key that the rig keeps as an extra field; zeros if it has none.
 std::vector<double> kept_numbers_of(const Rig& rig, const Key& key) {
   const ExtraField* extra = rig.find_extra_field(kImu, key.name);
   const std::vector<double> none(key.with.count, 0.0);
@@ -53,7 +54,7 @@ std::vector<Statement> write_imu_number(const Subject& subject, const Key& key) 
   return states(fields::real(key.text(), *value), fact_of(key));
 }
 
-/// A rig has one number for all axes: of axes that differ none is taken.
+/// A rig has one number for all axes. If the axes differ, the list becomes an extra field and the rig's number stays unknown.
 bool read_density(Reading& reading, const Key& key, const Node& node) {
   if (node.is_scalar()) return read_imu_number(reading, key, node);
   Imu& imu = imu_of(reading);
@@ -92,7 +93,7 @@ bool keep_numbers(Reading& reading, const Key& key, const Node& node) {
   return true;
 }
 
-/// An edit leaves them: a rig does not state others.
+/// Only a fresh file gets them; an edit leaves the file's numbers as they are.
 std::vector<Statement> write_kept_numbers(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
   return states(fields::list(key.text(), kept_numbers_of(subject.rig, key)));

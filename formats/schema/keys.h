@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rows that formats share.
+// Rows of tables (schema.h) that formats share.
 #pragma once
 
 #include "schema.h"
@@ -8,7 +8,7 @@
 
 namespace fca::schema {
 
-/// The name of the only IMU of a file that does not name it.
+/// The name that the only IMU of a file gets if the file does not name it.
 inline constexpr std::string_view kImu = "imu0";
 
 bool read_object(Reading& reading, const Key& key, const text::Node& node);
@@ -35,8 +35,8 @@ bool read_identity(Reading& reading, const Key& key, const text::Node& node);
 bool read_imu_matrix(Reading& reading, const Key& key, const text::Node& node);
 bool read_fixed(Reading& reading, const Key& key, const text::Node& node);
 bool read_tuning(Reading& reading, const Key& key, const text::Node& node);
-/// What the rig keeps of such a key from a file that had it; null if nothing, or if it is no number nor a list of numbers,
-/// which a fresh file cannot be trusted with.
+/// The extra field that the rig keeps for a row of tuning(). Null if there is none, or if its value is neither a number nor a
+/// list of numbers: such text is not copied into a fresh file.
 const ExtraField* kept_tuning(const Rig& rig, const Key& key);
 bool keep(Reading& reading, const Key& key, const text::Node& node);
 bool keep_numbers(Reading& reading, const Key& key, const text::Node& node);
@@ -68,35 +68,35 @@ std::vector<Statement> write_fixed(const Subject& subject, const Key& key);
 std::vector<Statement> write_tuning(const Subject& subject, const Key& key);
 std::vector<Statement> write_kept_numbers(const Subject& subject, const Key& key);
 
-/// Numbers of the translation, and those of the rotation where it is another one: what it rounds, a rotation printed with few
-/// digits, is not edited for that.
+/// Edits the numbers of a pose. Those of the rotation change only if the rotation does: a rotation printed with few digits
+/// keeps its digits although the rig's rotation is rounded differently.
 void edit_pose(text::Document& document, const text::Node& node, const Key& key, const Subject& before, const Subject& after,
                Written& written);
 
-/// An object with keys of its own.
+/// A key whose value is an object with the given keys.
 constexpr Key object(std::string_view name, const Mapping& mapping) {
   return {name, FactKind::kOther, read_object, nullptr, {.mapping = &mapping}};
 }
 
-/// What the file calls the camera. An edit leaves it.
+/// The camera's name in the file. An edit does not change it.
 constexpr Key camera_name(std::string_view name) { return {name, FactKind::kOther, read_camera_name, write_camera_name}; }
 
-/// What the program calls the camera's lens.
+/// The program's name for the camera's lens.
 constexpr Key lens_name(std::string_view name, std::span<const Lens> lenses) {
   return {name, FactKind::kModel, read_lens_name, write_lens_name, {.lenses = lenses}};
 }
 
-/// An object with the lens's parameters by our names.
+/// An object with the lens's parameters, under the names that our models give them.
 constexpr Key parameters(std::string_view name, std::span<const Lens> lenses) {
   return {name, FactKind::kParameter, read_parameters, write_parameters, {.lenses = lenses}, nullptr, true};
 }
 
-/// One parameter.
+/// The value of one lens parameter.
 constexpr Key parameter(std::string_view name, ParameterId id) {
   return {name, FactKind::kParameter, read_parameter, write_parameter, {.parameter = id}};
 }
 
-/// The width of the image, which is read with its height. `real`: with a point.
+/// The width of the image [px], which the row of the height reads too. `real`: the number is written with a decimal point.
 constexpr Key image_width(std::string_view name, bool real) {
   return {name, FactKind::kImageSize, nullptr, write_image_width, {.real = real}};
 }
@@ -104,10 +104,10 @@ constexpr Key image_height(std::string_view name, std::string_view width, bool r
   return {name, FactKind::kImageSize, read_image_sides, write_image_height, {.other = width, .real = real}};
 }
 
-/// [width, height]
+/// The list [width, height] of the image [px].
 constexpr Key image_size(std::string_view name) { return {name, FactKind::kImageSize, read_image_size, write_image_size}; }
 
-/// An object that states T_frame_camera.
+/// An object that contains the pose T_frame_camera.
 constexpr Key pose(std::string_view name, const PoseLayout& layout) {
   return {name, FactKind::kPose, read_pose, write_pose, {.pose = &layout}, edit_pose, true};
 }
@@ -115,39 +115,43 @@ constexpr Key pose(std::string_view name, const PoseLayout& layout) {
 /// The camera's time offset, t_imu = t_cam + offset [s].
 constexpr Key time_offset(std::string_view name) { return {name, FactKind::kTimeOffset, read_time_offset, write_time_offset}; }
 
-/// The time offset of all cameras, t_imu = t_cam + offset, in whole units (1e9 per second: nanoseconds).
+/// The one time offset of all cameras, t_imu = t_cam + offset, as a whole number of units; `per_second`: units in a second,
+/// e.g. 1e9 for nanoseconds.
 constexpr Key common_time_offset(std::string_view name, double per_second) {
   return {name, FactKind::kTimeOffset, read_common_offset, write_common_offset, {.per_second = per_second}};
 }
 
-/// The delay of all cameras' stamps [s]: t_imu = t_cam - delay.
+/// The delay of all cameras' time stamps [s]: t_imu = t_cam - delay.
 constexpr Key common_delay(std::string_view name) {
   return {name, FactKind::kTimeOffset, read_common_delay, write_common_delay};
 }
 
-/// A noise density of the IMU in our unit: a list with the same number for each axis. Older files have one number for all.
+/// A noise density of the IMU, in the unit of its Imu member: a list with the same number for each axis. Older files have a
+/// single number. `initial`: what a fresh file gets if the rig does not know it.
 constexpr Key density(std::string_view name, std::optional<double> Imu::*member, std::size_t axes, double initial) {
   return {name, FactKind::kImu, read_density, write_density, {.imu = member, .count = axes, .initial = initial}};
 }
 
-/// A noise density or the rate of the IMU in our unit, as one number.
+/// A noise density or the rate [Hz] of the IMU, in the unit of its Imu member, as one number.
 constexpr Key imu_number(std::string_view name, std::optional<double> Imu::*member, double initial = 0.0) {
   return {name, FactKind::kImu, read_imu_number, write_imu_number, {.imu = member, .initial = initial}};
 }
 
-/// A ROS topic of the camera, without quotes where it needs none; of the IMU.
+/// A ROS topic: of the camera, without quotes if it needs none; of the IMU, always with quotes.
 constexpr Key camera_topic(std::string_view name) { return {name, FactKind::kTopic, read_topic, write_topic}; }
 constexpr Key imu_topic(std::string_view name) { return {name, FactKind::kTopic, read_topic, write_topic, {.of_imu = true}}; }
 
-/// `count` numbers of the IMU that a rig has no member for, as an extra field; zeros say nothing.
+/// `count` numbers of the IMU that a rig has no member for. They are kept as an extra field unless all are 0.
 constexpr Key kept_numbers(std::string_view name, std::size_t count) {
   return {name, FactKind::kOther, keep_numbers, write_kept_numbers, {.count = count}};
 }
 
-/// What a rig has no member for: an extra field, of the camera where it is a camera's. A fresh file has none.
+/// A value that a rig has no member for. It is kept as an extra field of the camera being read, or of the file. A fresh file
+/// does not get it.
 constexpr Key kept(std::string_view name) { return {name, FactKind::kOther, keep}; }
 
-/// The two names of a camera's lens; the second row reads both. `list`: the key of the coefficients.
+/// The two names of a camera's lens. The row of the second name reads both. `camera_model`, `list`: the keys of the first name
+/// and of the coefficients.
 constexpr Key camera_model(std::string_view name, std::span<const ListLens> lenses) {
   return {name, FactKind::kModel, nullptr, write_camera_model, {.list_lenses = lenses}};
 }
@@ -157,7 +161,7 @@ constexpr Key distortion_model(std::string_view name, std::string_view camera_mo
       name, FactKind::kModel, read_list_lens, write_list_lens, {.list_lenses = lenses, .other = camera_model, .list = list}};
 }
 
-/// [fx, fy, cx, cy], and the lens's coefficients; both after the row of its names.
+/// The lists [fx, fy, cx, cy] and coefficients. In the table both rows come after those of the lens's names.
 constexpr Key focal_and_centre(std::string_view name) {
   return {name, FactKind::kParameter, read_focal_and_centre, write_focal_and_centre};
 }
@@ -165,13 +169,14 @@ constexpr Key coefficients(std::string_view name, std::span<const ListLens> lens
   return {name, FactKind::kParameter, read_coefficients, write_coefficients, {.list_lenses = lenses}};
 }
 
-/// The camera's images per second.
+/// The camera's frame rate [Hz].
 constexpr Key frame_rate(std::string_view name) { return {name, FactKind::kFrameRate, read_frame_rate, write_frame_rate}; }
 
-/// The number of rows or columns of such a matrix.
+/// The number of rows or columns of a 4 x 4 matrix.
 constexpr Key side_of_four(std::string_view name) { return {name, FactKind::kOther, read_side_of_four, write_side_of_four}; }
 
-/// 16 numbers, row by row: T_frame_camera, T_frame_imu, or an IMU's that is the frame. `owner`: the key that they stand below.
+/// A pose as 16 numbers, row-major: of a camera (T_frame_camera), of an IMU (T_frame_imu), or of the IMU that is the frame,
+/// which must be the identity. `owner`: the key of the object that contains the matrix, for messages.
 constexpr Key matrix(std::string_view name, std::string_view owner, const PoseLayout& layout) {
   return {name, FactKind::kPose, read_matrix, write_matrix, {.pose = &layout, .other = owner}};
 }
@@ -180,20 +185,20 @@ constexpr Key imu_matrix(std::string_view name, const PoseLayout& layout) {
 }
 constexpr Key identity(std::string_view name) { return {name, FactKind::kOther, read_identity, write_identity}; }
 
-/// A key without a fact, and the word that a fresh file has there.
+/// A key whose value is not read. A fresh file gets `token`.
 constexpr Key fixed(std::string_view name, std::string_view token) {
   return {name, FactKind::kOther, read_fixed, write_fixed, {.token = token}};
 }
-/// A key without a fact, which a fresh file does not have.
+/// A key whose value is not read and which a fresh file does not get.
 constexpr Key unread(std::string_view name) { return {name, FactKind::kOther, read_fixed}; }
 
-/// What tunes the program: an extra field of the file ("kimera.n_gravity" with the prefix "kimera."), which a fresh file says
-/// again; else `token`, as a default.
+/// A setting of the program. It is kept as an extra field of the file with `prefix` before the key ("kimera.n_gravity"), and a
+/// fresh file gets that value again. If the rig has none, the fresh file gets `token`, which is listed as a default.
 constexpr Key tuning(std::string_view name, std::string_view prefix, std::string_view token) {
   return {name, FactKind::kOther, read_tuning, write_tuning, {.other = prefix, .token = token}};
 }
 
-/// The row of a key that a fresh file does not have.
+/// Marks a key that edits change, but that a fresh file does not get.
 constexpr Key only_edited(Key key) {
   key.with.only_edited = true;
   return key;
@@ -207,25 +212,25 @@ constexpr Key wanted(Key key) {
   return key;
 }
 
-/// The row for an item of a list of all cameras.
+/// The row of a list with one item for each camera; `item`: the row of an item.
 constexpr Key per_camera(Spread spread, Key item) {
   item.spread = spread;
   return item;
 }
 
-/// In what frame the poses of a rig's cameras are written: the layout's, else the first camera's, where none of them is known
-/// in the former. Identities for all would state that they sit in one place.
+/// The frame in which the poses of a rig's cameras are written: that of the layout or, if no camera's pose is known in it, the
+/// first camera. Writing identities in the layout's frame would say that all cameras are at one place.
 class PoseFrame {
  public:
   PoseFrame(const Rig& rig, const PoseLayout& layout);
-  /// Is any camera's pose in the layout's own frame known?
+  /// True if the pose of at least one camera is known in the layout's frame.
   [[nodiscard]] bool known() const { return known_; }
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// T_frame_camera
+  /// T_frame_camera; nullopt if it is not known.
   [[nodiscard]] std::optional<Transform> pose(const Camera& camera) const;
-  /// The same in the layout's own frame only.
+  /// Like pose(), but nullopt unless the frame is the layout's.
   [[nodiscard]] std::optional<Transform> own_pose(const Camera& camera) const { return known_ ? pose(camera) : std::nullopt; }
-  /// Notes for a fresh file that the pose under that key is stated by no input, or in another frame than the layout's.
+  /// Lists in `written.defaults` that the pose under `key` comes from no input, or is in another frame than the layout's.
   void list_made_up(std::string_view key, const PoseLayout& layout, const Camera& camera, Written& written) const;
 
  private:
@@ -234,14 +239,16 @@ class PoseFrame {
   bool known_ = false;
 };
 
-/// The rig's T_a_b as it was read; null if there is none.
+/// The rig's pose T_a_b, if it was read in this direction; otherwise null.
 [[nodiscard]] const PoseEdge* edge_of(const Rig& rig, std::string_view a, std::string_view b);
 
-/// Adds the pose of the camera that is read. False, with errors at the parts, where it is none.
+/// Adds the pose of the camera being read to the rig. False, with errors at the nodes of its rotation or translation, if it is
+/// not a valid pose.
 bool add_pose(Reading& reading, const PoseLayout& layout, const Transform& T, const fields::Reader::Place& rotation,
               const fields::Reader::Place& translation);
 
-/// An error for each pose that is a mirror image, which no quaternion says: false then. `code`: {0} the camera, {1} the frame.
+/// Adds an error for each pose that is a mirror image, which no quaternion can represent, and then returns false. `code`: {0}
+/// the camera, {1} the frame.
 [[nodiscard]] bool are_rotations(const Rig& rig, const PoseLayout& layout, Code code, Diagnostics& diagnostics);
 
 }  // namespace fca::schema

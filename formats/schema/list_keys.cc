@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of formats that state a lens as two names and two lists of numbers, and a pose as 16 of them.
+// Functions of rows that contain a lens as two names and two lists of numbers, or a pose as 16 numbers.
 #include "keys.h"
 
 #include <fca/folded_name.h>
@@ -16,20 +16,20 @@ using text::Node;
 namespace {
 
 constexpr std::array<ParameterId, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
-constexpr std::size_t kLongestWord = 40;  ///< Of the file, in a message.
+constexpr std::size_t kLongestWord = 40;  ///< Characters of a text of the file that a message shows.
 
 std::string shown(const Node& node) { return node.value.substr(0, kLongestWord); }
 
 std::size_t length_of(const ListLens& lens) { return lens.coefficients.size() + lens.zeros; }
 
-/// Programs read such names in any case.
+/// True if the lens has both names. Programs ignore upper and lower case.
 bool has_names(const ListLens& lens, const Node& camera_model, const Node& distortion_model) {
   return folded(lens.camera_model) == folded(camera_model.value) &&
          folded(lens.distortion_model) == folded(distortion_model.value);
 }
 
 const ListLens* lens_of(const CameraModel& model, const Key& key) {
-  // A model may have a short row and a long one: the short one is for cameras whose further parameters are 0.
+  // A model may have several entries with lists of different lengths: a short one is for cameras whose other parameters are 0.
   const auto holds = [&model](const ListLens& lens) {
     if (lens.model != model_info(model).id) return false;
     return std::ranges::all_of(lens.absent, [&model](ParameterId id) { return parameter(model, id) == 0.0; });
@@ -69,11 +69,11 @@ std::vector<Statement> states_pose(const Key& key, const Transform& T, const Pos
 
 }  // namespace
 
-/// The lens of a camera, by both names and, where several have these, by how many coefficients it has.
+/// Reads the lens of a camera, which both names determine or, if several lenses have these, the number of coefficients.
 bool read_list_lens(Reading& reading, const Key& key, const Node& node) {
   const Node* other = reading.reader.find(*reading.mapping, key.with.other);
   const Node* coefficients = reading.reader.find(*reading.mapping, key.with.list);
-  if (other == nullptr) return false;  // its own row reports it
+  if (other == nullptr) return false;  // the row of that key reports the error
   const auto named = [&](const ListLens& lens) { return has_names(lens, *other, node); };
   const std::span<const ListLens> lenses = key.with.list_lenses;
   if (std::ranges::none_of(lenses, named)) {
@@ -159,7 +159,7 @@ std::vector<Statement> write_side_of_four(const Subject& subject, const Key& key
   return states(fields::integer(key.text(), 4));
 }
 
-/// But for what readers take for rounding (gtsam's tolerance).
+/// True for an identity up to rounding (the tolerance of gtsam).
 bool is_identity(const Transform& T) {
   constexpr double kRounding = 1e-9;
   const Transform identity;
@@ -235,7 +235,7 @@ const ExtraField* kept_tuning(const Rig& rig, const Key& key) {
   return is_numbers ? kept : nullptr;
 }
 
-/// As the rig keeps it from a file with such a key, else what the program's own file has.
+/// Writes the value that the rig keeps as an extra field or, if there is none, that of the program's own file.
 std::vector<Statement> write_tuning(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
   const ExtraField* kept = kept_tuning(subject.rig, key);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a format has no key for.
+// Lists what a format has no key for.
 #include "../losses.h"
 
 #include "keys.h"
@@ -15,7 +15,7 @@ namespace fca::schema {
 
 namespace {
 
-/// The first key of the table, at any depth, that `wanted` holds of; null if there is none.
+/// The first key of the table, at any depth, for which `wanted` returns true; null if there is none.
 const Key* find_key(const Mapping& mapping, const std::function<bool(const Key&)>& wanted) {
   for (const Key& key : mapping.keys) {
     if (wanted(key)) return &key;
@@ -29,7 +29,7 @@ const Key* find_key(const Schema& schema, FactKind kind) {
   return find_key(schema.root, [kind](const Key& key) { return key.fact == kind && key.write != nullptr; });
 }
 
-/// One time offset in whole units stands for those of all cameras.
+/// Lists the losses of a format that has one time offset, perhaps rounded to whole units, for all cameras.
 void list_common_offset(const Schema& schema, const Key& key, const Rig& rig, std::vector<Loss>& losses) {
   const auto stated = std::ranges::find_if(rig.cameras, [](const Camera& camera) { return camera.time_offset_s.has_value(); });
   if (stated == rig.cameras.end()) return;
@@ -48,7 +48,7 @@ void list_stream(const Schema& schema, Camera camera, const Message& why, std::v
   add_stream(camera, why, losses);
 }
 
-/// A file holds one IMU, or none.
+/// Lists the losses of a format that has one IMU or none.
 void list_imus(const Schema& schema, const Rig& rig, const Message& why, std::vector<Loss>& losses) {
   const bool one = holds(schema, FactKind::kImu);
   for (std::size_t i = 0; i < rig.imus.size(); ++i) {

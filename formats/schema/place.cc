@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a document states a fact.
+// Finds the node of a document that contains a fact.
 #include "schema.h"
 
 #include <algorithm>
@@ -10,13 +10,14 @@ using text::Node;
 
 namespace {
 
-/// A quaternion states every element of its rotation.
+/// True if a number with the fact `stated` contains `wanted`. A number of a quaternion (row -1) contains every element of the
+/// rotation.
 bool is_stated_by(const Fact& stated, const Fact& wanted) {
   return stated == wanted || (stated.kind == FactKind::kPose && wanted.kind == FactKind::kPose && stated.row < 0 &&
                               stated.pose == wanted.pose && wanted.column < 3);
 }
 
-/// Those of a list or of rows, one after the other.
+/// Collects the scalars of a value in file order: of a list, or of a list of rows.
 void collect_tokens(const Node& value, std::vector<const Node*>& tokens) {
   if (value.is_scalar()) tokens.push_back(&value);
   for (const Node& item : value.items) collect_tokens(item, tokens);
@@ -33,7 +34,7 @@ const Node* find_token(const Statement& statement, const Node* value, const Fact
 
 const Node* find_in(const Mapping& mapping, const Node& node, const Subject& subject, const Fact& fact);
 
-/// The name under which a row's value stands.
+/// The key of a row in the file: the camera's or the IMU's name for rows that are named after these.
 std::string_view name_of(const Key& key, const Subject& subject) {
   const bool of_camera = key.spread == Spread::kNamed && subject.camera < subject.rig.cameras.size();
   const bool of_imu = key.spread == Spread::kNamedImu && subject.imu < subject.rig.imus.size();
@@ -44,7 +45,7 @@ bool is_list(const Key& key) {
   return key.spread == Spread::kCounted || key.spread == Spread::kEach || key.spread == Spread::kSomeEach;
 }
 
-/// In the value of a key; of a list with items for the cameras, in that camera's.
+/// Looks in the value of a key or, if that is a list with an item for each camera, in the camera's item.
 const Node* find_below(const Key& key, const Node& value, const Subject& subject, const Fact& fact) {
   if (is_list(key) && (!value.is_sequence() || subject.camera >= value.items.size())) return nullptr;
   const Node* item = is_list(key) ? &value.items[subject.camera] : &value;

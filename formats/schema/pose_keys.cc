@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The row of a pose that stands as a translation and a quaternion.
+// Functions of a row that contains a pose as a translation and a quaternion.
 #include "keys.h"
 
 #include <fca/formats/text/numbers.h>
@@ -17,10 +17,11 @@ using text::Node;
 
 namespace {
 
-constexpr double kRounding = 1e-9;       ///< Up to here a rotation and that of its quaternion are the same.
-constexpr double kSameRotation = 1e-12;  ///< Elements of two rotations that differ by less say the same.
-constexpr double kPrinted = 1e-3;        ///< From 1: the length of a quaternion that was printed with few digits.
-/// One part of a pose, as entries of its mapping.
+/// A matrix that differs by less from the rotation of its quaternion is not listed as changed.
+constexpr double kRounding = 1e-9;
+constexpr double kSameRotation = 1e-12;  ///< Two rotations whose elements differ by less are the same.
+constexpr double kPrinted = 1e-3;        ///< Deviation from length 1 of a quaternion that was printed with few digits.
+/// The entries of a pose's translation or rotation: one list, or one entry per number.
 std::vector<Statement> statements_of(std::span<const std::string_view> keys, std::span<const double> values,
                                      std::span<const Fact> facts) {
   if (keys.size() == 1) return {{fields::list(std::string(keys.front()), values), {facts.begin(), facts.end()}}};
@@ -46,7 +47,7 @@ Quaternion quaternion_for(const PoseLayout& layout, const Transform& T) {
   return quaternion_of(layout.restated != Code{} ? nearest_rotation(T).value_or(T) : T);
 }
 
-/// The nodes of a part's numbers; null for one that is missing.
+/// The nodes of the numbers of a translation or rotation; null for a number whose key is missing.
 std::vector<const Node*> numbers_of(const Node& pose, std::span<const std::string_view> keys, text::Dialect dialect) {
   std::vector<const Node*> numbers;
   for (const std::string_view key : keys) {
@@ -58,7 +59,7 @@ std::vector<const Node*> numbers_of(const Node& pose, std::span<const std::strin
   return numbers;
 }
 
-/// What the file says; zeros where it says none.
+/// The quaternion in the file, with 0 for each number that is missing or cannot be read.
 Quaternion stated_quaternion(const Node& pose, const PoseLayout& layout, text::Dialect dialect) {
   Quaternion q{};
   const std::vector<const Node*> numbers = numbers_of(pose, layout.rotation, dialect);
@@ -67,7 +68,8 @@ Quaternion stated_quaternion(const Node& pose, const PoseLayout& layout, text::D
   return q;
 }
 
-/// A quaternion says a rotation only; a matrix printed with few digits, or a product of such, is not quite one.
+/// Lists the change if a pose is written as a quaternion but its matrix is not exactly a rotation: it was printed with few
+/// digits, or is a product of such matrices.
 void list_restated(const PoseFrame& frame, const Key& key, const Camera& camera, const Transform& T, Written& written) {
   const PoseLayout& layout = *key.with.pose;
   const Transform said = pose_of(quaternion_for(layout, T), translation_of(T));
@@ -77,7 +79,7 @@ void list_restated(const PoseFrame& frame, const Key& key, const Camera& camera,
   written.losses.push_back(lost(layout.restated, camera.name, key.text(), {frame.name(), off}));
 }
 
-/// Numbers under seven keys; nothing with an error where one is missing or is no number.
+/// Reads the numbers of the seven keys; nullopt, with an error, if one is missing or is no number.
 std::optional<std::vector<double>> read_numbers(Reading& reading, const Key& key, const Node& node) {
   const std::string what = reading.label(key);
   std::vector<double> numbers;
@@ -93,7 +95,8 @@ std::optional<std::vector<double>> read_numbers(Reading& reading, const Key& key
   return numbers;
 }
 
-/// Of length 1; nothing with an error where it is too far from that. A warning where it is only roughly.
+/// The quaternion scaled to length 1. Adds a warning if the length differs from 1 by more than kPrinted, within the layout's
+/// limits. nullopt, with an error, outside these.
 std::optional<Quaternion> unit_quaternion(Reading& reading, const Key& key, const Quaternion& q, const Node& place) {
   const PoseLayout& layout = *key.with.pose;
   const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
@@ -104,7 +107,7 @@ std::optional<Quaternion> unit_quaternion(Reading& reading, const Key& key, cons
   return near ? std::optional(normalised(q)) : std::nullopt;
 }
 
-/// The coordinate that is beyond what a rig may state; the first where none is.
+/// The node of the coordinate that exceeds the largest distance allowed in a rig; the first one if none does.
 const Node& longest_coordinate(const std::vector<const Node*>& translation) {
   const auto beyond = std::ranges::find_if(
       translation, [](const Node* node) { return std::abs(text::parse_real(node->value).value_or(0.0)) > kLongestDistance; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From documents to rigs: walks the table and lets each row read its node.
+// Reads a rig from a document: walks the table and lets each row read its node.
 #include "keys.h"
 #include "schema.h"
 
@@ -13,7 +13,7 @@ using text::Node;
 
 namespace {
 
-/// Keys that only the program demands, all in one warning.
+/// Adds one warning that names all missing keys which only the program requires.
 void warn_of_missing(Reading& reading, const Mapping& mapping, const Node& node) {
   if (mapping.missing == Code{}) return;
   std::vector<std::string> missing;
@@ -25,13 +25,13 @@ void warn_of_missing(Reading& reading, const Mapping& mapping, const Node& node)
   if (!missing.empty()) reading.reader.diagnostics().add(mapping.missing, {missing, reading.schema.program}, where);
 }
 
-/// A list with one item for each camera.
+/// A row that is a list with one item for each camera, and its node.
 struct CameraList {
   const Key* key;
   const Node* node;
 };
 
-/// False with an error where the list has not that many items.
+/// True if the list has `count` items, or may have fewer; otherwise false, with an error.
 bool has_items(Reading& reading, const CameraList& list, std::size_t count) {
   if (list.node->is_sequence() && (list.key->spread == Spread::kSomeEach || list.node->items.size() == count)) return true;
   if (list.key->spread == Spread::kSomeEach) return true;
@@ -43,7 +43,8 @@ bool has_items(Reading& reading, const CameraList& list, std::size_t count) {
   return false;
 }
 
-/// The lists of the mapping that can be read; `count` is that of the cameras. False with errors where one cannot.
+/// Collects the lists of the mapping that can be read. `count` becomes the number of cameras. False, with errors, if a list
+/// cannot be read.
 bool find_lists(Reading& reading, const Mapping& mapping, const Node& node, std::vector<CameraList>& lists,
                 std::size_t& count) {
   bool good = true;
@@ -68,7 +69,7 @@ bool find_lists(Reading& reading, const Mapping& mapping, const Node& node, std:
   return good;
 }
 
-/// Camera by camera.
+/// Adds the cameras to the rig and reads each one's items of all lists.
 bool read_cameras(Reading& reading, const Mapping& mapping, const Node& node) {
   std::vector<CameraList> lists;
   std::size_t count = 0;

@@ -16,14 +16,14 @@ namespace fca::internal {
 
 namespace {
 
-/// What a turn is fitted to: the rays inside the angle up to which the fit counts.
+/// The samples to which a rotation is fitted: rays inside the angle up to which the fit is valid.
 std::vector<Correspondence> samples_for_turn(const FitTask& task, double reach_rad, int count) {
   Domain domain = task.domain;
   domain.max_angle_rad = std::min(domain.max_angle_rad, reach_rad);
   return weighted_samples(task.options.weight, task.camera.model, domain, count).samples;
 }
 
-/// Is what the fit makes small smaller with the turn, by more than nothing?
+/// True if the rotation makes the rms that the fit minimises at least 1 % smaller.
 bool is_better(const FitTask& task, const DomainFit& straight, const TurnedFit& turned, double rms_straight_px,
                double rms_turned_px) {
   constexpr double kWorthATurn = 0.99;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A turn of the camera as a part of its conversion.
+// Conversions that rotate the camera.
 #pragma once
 
 #include "fitting/degree.h"
@@ -10,11 +10,12 @@
 
 namespace fca::internal {
 
-/// Replaces a fit by one that a turn of the camera is a part of, if that is better and reaches as much; else says so. A bound
-/// of the error is proven for cameras with one axis only: there is none.
+/// Replaces a fit by one that also rotates the camera, if its rms is smaller and it covers as much of the image; otherwise adds
+/// a diagnostic. The new fit has no proven error bound: bounds exist only for a source and a target with the same axes.
 void absorb_turn(const FitTask& task, const DegreeFit& fit, Conversion& conversion, Diagnostics& diagnostics);
 
-/// What a turn would come to, about, where it would make a visible error a fifth smaller. `rms_px`: that error.
+/// An estimate of the fit with a rotation, if `rms_px`, the rms of the fit without one, is at least 0.02 px and a rotation
+/// would make it at least 20 % smaller; otherwise nullopt.
 [[nodiscard]] std::optional<TurnOffer> offered_turn(const FitTask& task, const DegreeFit& fit, double rms_px);
 
 }  // namespace fca::internal

@@ -34,7 +34,8 @@ void warn_of_cone(const FitTask& task, double cone_rad, Diagnostics& diagnostics
   diagnostics.add(Code::kTargetCannotReach, {task.camera.name, task.target.id, cone_rad / kRadiansPerDegree});
 }
 
-/// A model of a plane goes on to 90 degrees: where a part of the image has no ray, its distortion folds.
+/// Warns if a model that should have rays up to 90 degrees (pinhole-like) has none for a part of the image: its distortion
+/// folds there.
 void warn_of_fold(const Camera& camera, const Coverage& coverage, Diagnostics& diagnostics) {
   constexpr double kCorners = 1e-3;
   constexpr double kToThinkOf = 0.01;
@@ -43,7 +44,7 @@ void warn_of_fold(const Camera& camera, const Coverage& coverage, Diagnostics& d
                   {camera.name, max_angle(camera.model) / kRadiansPerDegree, coverage.outside_lens});
 }
 
-/// What no lens has, but arithmetic can convert all the same. `check` asks for more; this is what cannot be meant.
+/// Warns of parameters that no real camera has, but that can be converted. `check` applies stricter limits.
 void warn_of_odd_camera(const Camera& camera, const ImageSize& size, Diagnostics& diagnostics) {
   constexpr double kNoSensor = 2.0;
   const auto [f_u, f_v] = central_focal_lengths(camera.model);
@@ -56,7 +57,8 @@ void warn_of_odd_camera(const Camera& camera, const ImageSize& size, Diagnostics
   }
 }
 
-/// How many times as many pixels a radian has in one direction about the axis as in another; 1 where that cannot be told.
+/// The ratio of the largest and the smallest number of pixels per radian over all directions at the axis; 1 if the axis has no
+/// pixels around it, infinite if one direction has none.
 double stretch_on_axis(const CameraModel& model) {
   constexpr double kStep = 1e-5;
   const auto pixels = [&model](double x, double y) -> std::optional<Pixel> {
@@ -68,14 +70,15 @@ double stretch_on_axis(const CameraModel& model) {
   const std::optional<Pixel> x = pixels(kStep, 0.0);
   const std::optional<Pixel> y = pixels(0.0, kStep);
   if (!x || !y) return 1.0;
-  // The ratio of the singular values of the matrix with those columns.
+  // The ratio of the singular values of the 2 x 2 matrix with the columns x and y.
   const double squares = (*x)[0] * (*x)[0] + (*x)[1] * (*x)[1] + (*y)[0] * (*y)[0] + (*y)[1] * (*y)[1];
   const double determinant = std::abs((*x)[0] * (*y)[1] - (*x)[1] * (*y)[0]);
   if (!(determinant > 0.0)) return std::numeric_limits<double>::infinity();
   return (squares + std::sqrt(std::max(0.0, squares * squares - 4.0 * determinant * determinant))) / (2.0 * determinant);
 }
 
-/// No sensor has such pixels: one fit is made, and no smaller cone and no higher degree are searched for.
+/// No sensor has pixels stretched that much. To save time, one fit is made, without a search for a smaller cone or a higher
+/// degree.
 ConvertOptions within_reason(ConvertOptions options, double stretch, const ModelInfo& target) {
   constexpr double kNoSensor = 3.0;
   if (stretch <= kNoSensor) return options;
@@ -84,7 +87,8 @@ ConvertOptions within_reason(ConvertOptions options, double stretch, const Model
   return options;
 }
 
-/// No fit is worth its time where the numbers are no camera's: it takes a hundred times as long, and misses by many pixels.
+/// False, with an error, if the parameters are no real camera's: a fit would take a hundred times as long and be wrong by many
+/// pixels.
 bool is_worth_a_fit(const Camera& camera, double stretch, Diagnostics& diagnostics) {
   constexpr double kNoLens = 300.0;
   if (stretch <= kNoLens) return true;
@@ -92,12 +96,12 @@ bool is_worth_a_fit(const Camera& camera, double stretch, Diagnostics& diagnosti
   return false;
 }
 
-/// Everything the report says of a model, from what the lattice says of it.
+/// The full evaluation of a model, given its errors on the lattice.
 Judgement final_judgement(const FitTask& task, const internal::Scorer& scorer, internal::Score lattice) {
   return internal::judge_all(scorer, std::move(lattice), {task.options.every_pixel, task.options.bound});
 }
 
-/// The angle beyond which a model that counts up to `reach_rad` is not scored.
+/// The angle [deg] up to which a model is scored whose fit is valid up to `reach_rad`.
 double scored_to_deg(const FitTask& task, const CameraModel& model, double reach_rad) {
   return std::min({task.domain.max_angle_rad, reach_rad, max_angle(model)}) / kRadiansPerDegree;
 }
@@ -106,7 +110,8 @@ internal::Scorer scorer_of(const FitTask& task, const CameraModel& model, double
   return {task.camera.model, &model, nullptr, task.domain, reach_rad};
 }
 
-/// Does nothing beyond double's rounding separate the two models? Then no fit is reported as one.
+/// The conversion if the target can represent the source exactly (up to rounding); nullopt otherwise. Its report mentions no
+/// fit.
 std::optional<Conversion> exact_conversion(const FitTask& task) {
   const std::optional<CameraModel> model = internal::convert_exactly(task.camera.model, task.target.id);
   if (!model || !within(*model, task.options.ranges) || !is_as_fixed(*model, task.options.fixed) || !validate(*model).empty())
@@ -120,7 +125,8 @@ std::optional<Conversion> exact_conversion(const FitTask& task) {
   return conversion;
 }
 
-/// Replaces a least-squares fit by the camera near it whose largest error is smallest, if that is smaller and reaches as much.
+/// Replaces a least-squares fit by the camera near it with the smallest maximum error, if its maximum is smaller and it covers
+/// as much of the image.
 void cut_worst_pixel(const FitTask& task, double reach_rad, std::span<const ParameterRange> ranges, Conversion& conversion) {
   using Clock = std::chrono::steady_clock;
   ConversionReport& report = conversion.report;
@@ -142,7 +148,8 @@ void cut_worst_pixel(const FitTask& task, double reach_rad, std::span<const Para
   model = fit.model;
 }
 
-/// The first of the fits whose largest error is proven, of those that count; else the first. `judgement`: that of it.
+/// The first fit with a proven error bound, or the first fit if none has one or no bound is requested. `judgement` receives its
+/// evaluation.
 internal::DegreeFit& choose_proven(const FitTask& task, std::vector<internal::DegreeFit>& fits, Judgement& judgement) {
   const auto judged = [&task](internal::DegreeFit& each) {
     const internal::Scorer scorer = scorer_of(task, each.fit.fitted.model->model, each.fit.fitted.reach_rad);
@@ -159,7 +166,7 @@ internal::DegreeFit& choose_proven(const FitTask& task, std::vector<internal::De
   return fits.front();
 }
 
-/// The conversion by a fit, and its judgement.
+/// The best fitted conversion; nullopt, with an error, if the fit fails.
 std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& diagnostics) {
   std::vector<internal::DegreeFit> fits = internal::fit_degrees(task);
   const internal::SampledFit& first = fits.front().fit.fitted;
@@ -201,7 +208,8 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
   return conversion;
 }
 
-/// Is there an image as large as the camera's, that counts any of its pixels?
+/// True if the weights are not an image, or an image of the camera's size that is not black on the whole domain; otherwise
+/// false, with an error.
 bool is_usable(const FitWeight& weight, const Camera& camera, const Domain& domain, Diagnostics& diagnostics) {
   if (weight.kind != WeightKind::kImage) return true;
   const ImageSize size = weight.density != nullptr ? ImageSize{weight.density->width, weight.density->height} : ImageSize{0, 0};
@@ -215,13 +223,13 @@ bool is_usable(const FitWeight& weight, const Camera& camera, const Domain& doma
   return false;
 }
 
-/// The error that the weights make of the conversion's; nothing where pixels count alike by request.
+/// The weighted rms of the conversion; nullopt if the caller chose equal weights for all pixels.
 std::optional<WeightedRms> weighted_error(const Camera& camera, const FitWeight& weight, const Conversion& conversion,
                                           const Domain& domain) {
   if (weight.kind == WeightKind::kPixel) return std::nullopt;
   const ConversionReport& report = conversion.report;
   if (internal::counts_alike(weight)) return WeightedRms{weight.kind, report.judgement.error.rms};
-  // What is not scored does not count; the last ray of the domain does.
+  // Only scored rays count; the slack keeps the last ray of the domain.
   constexpr double kSlack = 1.0 + 1e-9;
   const double reach_rad = kSlack * report.scored_to_deg * kRadiansPerDegree;
   const Transform* turn = report.turn ? &report.turn->T_target_source : nullptr;
@@ -229,7 +237,7 @@ std::optional<WeightedRms> weighted_error(const Camera& camera, const FitWeight&
                      internal::weighted_rms(weight, camera.model, conversion.camera.model, domain, reach_rad, turn)};
 }
 
-/// Are ranges and samples what a fit can work with?
+/// True if the options are valid for a fit of `target`; otherwise false, with an error.
 bool usable(const ConvertOptions& options, const ModelInfo& target, Diagnostics& diagnostics) {
   constexpr int kMostSamples = 100'000;
   if (options.samples < 1 || options.samples > kMostSamples) {
@@ -300,7 +308,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
 
   std::optional<Conversion> conversion = exact_conversion(task);
   if (!conversion && internal::id_without_skew(target->id) != target->id) {
-    // A fit holds the skew: it is one of the straight model.
+    // A fit keeps the skew at 0, so that the model without skew is fitted.
     ConvertOptions straight = options;
     straight.model = internal::id_without_skew(target->id);
     conversion = convert(camera, straight, diagnostics);

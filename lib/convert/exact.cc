@@ -29,7 +29,7 @@ constexpr bool is_listed(std::string_view id, TypeList<Ms...> /*models*/) {
   return ((Ms::kId == id) || ...);
 }
 
-/// Of models without skew: the shortest chain of steps.
+/// Converts a model without skew by the shortest chain of exact steps; nullopt if there is none.
 std::optional<CameraModel> chained(const CameraModel& source, std::string_view target_id) {
   static const std::vector<ExactStep> steps = all_steps();
   std::vector<CameraModel> reached = {source};

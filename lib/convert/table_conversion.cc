@@ -26,7 +26,7 @@ constexpr double kAheadDeg = 90.0;
 
 using Table = std::vector<Correspondence>;
 
-/// The entries of a table up to that angle from the axis; their weights sum to 1.
+/// The entries of a table up to `max_angle_rad` from the axis, with their weights scaled to the sum 1.
 Table inside(const Table& table, double max_angle_rad) {
   Table result;
   std::ranges::copy_if(table, std::back_inserter(result),
@@ -43,7 +43,8 @@ double largest_angle(const Table& table) {
   return largest;
 }
 
-/// No lens sees further from its axis; a single ray may be a mistake.
+/// No lens sees further than this from its axis. A few such rays may be mistakes; a larger share means that the table is not
+/// one lens.
 constexpr double kFurthestDeg = 150.0;
 constexpr double kFewBehind = 0.02;
 
@@ -54,7 +55,7 @@ double share_behind(const Table& table) {
   return share;
 }
 
-/// What lies in the image, and on the lens by the caller's limits.
+/// The entries inside the image, the lens circle and the options' angle.
 Table of_domain(const Camera& camera, const ConvertOptions& options) {
   Table table = camera.rays;
   if (camera.image_size) {
@@ -70,7 +71,7 @@ Table of_domain(const Camera& camera, const ConvertOptions& options) {
   return inside(table, options.max_angle_rad.value_or(std::numbers::pi));
 }
 
-/// A fit and the angle up to which it counts.
+/// A fit, and the angle up to which it is valid.
 struct TableFit {
   std::optional<FittedModel> model;
   double reach_rad = std::numbers::pi;
@@ -78,7 +79,7 @@ struct TableFit {
   int degree = 0;
 };
 
-/// The rule of fit_domain.h.
+/// True if the fit describes its entries, by the rule in fit_domain.h.
 bool describes(const FittedModel& fit, std::string_view target) {
   constexpr double kLimitRms = 1.0;  // px
   return fit.reaches_all && (!sees_ahead_only(target) || fit.rms_px <= kLimitRms);
@@ -101,7 +102,8 @@ TableFit fit_table(const Table& table, const LensCentre& centre, const ModelInfo
   return whole;
 }
 
-/// Of the degrees the lowest that is nearly as good as the best of those which reach as far as the first.
+/// The fit of the lowest degree that is nearly as good as the best one, among the degrees that cover as large a cone as the
+/// lowest does.
 TableFit fit_degrees_of_table(const Table& table, const LensCentre& centre, const ModelInfo& target,
                               const ConvertOptions& options) {
   std::vector<TableFit> fits;

@@ -14,7 +14,7 @@ namespace fca {
 
 namespace {
 
-/// How a file with cameras, or one without, is checked.
+/// The options with which a file with cameras, or one without, is checked.
 CheckOptions options_for(const CheckRequest& request, bool with_cameras) {
   CheckOptions options;
   options.reading = read_options(request.inputs);
@@ -27,18 +27,18 @@ CheckOptions options_for(const CheckRequest& request, bool with_cameras) {
   return options;
 }
 
-/// Is it for a program that reads another format?
+/// True if the request's program reads another format.
 bool is_for_another_format(const CheckReport& report) {
   return std::ranges::any_of(report.findings,
                              [](const Finding& finding) { return finding.facts.code == Code::kProgramOtherFormat; });
 }
 
-/// The writing of the same format that its program understands better; nothing if there is none.
+/// A conversion of the file to another layout of its format, if the program reads that with smaller errors; nullopt if not.
 std::optional<ConvertResult> better_writing(const CheckResult& checked, const CheckRequest& request, Files& files) {
   const CheckReport& report = checked.report;
   if (!report.proof || !report.proof->loads || report.format->layouts.empty() || checked.source.name == text::kStandardInput)
     return std::nullopt;
-  constexpr double kNoticeable = 0.25;  // px, at worst
+  constexpr double kNoticeable = 0.25;  // largest distance, px
   double worst = 0.0;
   for (const CameraProof& camera : report.proof->cameras) {
     if (camera.misread) worst = std::max(worst, camera.distance.decisive().max);
@@ -54,7 +54,7 @@ std::optional<ConvertResult> better_writing(const CheckResult& checked, const Ch
   return is_better ? std::optional(std::move(other)) : std::nullopt;
 }
 
-/// Does it say how cameras sit to each other, and nothing of their lenses?
+/// True if the file contains poses of cameras but none of their lenses.
 bool is_of_rigs(const CheckReport& report) {
   if (report.holds_no_camera) return true;
   return report.proof && std::ranges::any_of(report.proof->refusals, [](const consumers::Complaint& refusal) {

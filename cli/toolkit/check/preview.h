@@ -8,8 +8,8 @@
 
 namespace fca {
 
-/// What converting a file gives for a program, without the files themselves: one that does not read its format, or reads
-/// another layout of it better (`rewrite`).
+/// The result of converting a file for `program`, without the files themselves: for a program that does not read the file's
+/// format or, with `rewrite`, reads another layout of it better.
 [[nodiscard]] ConvertResult preview_conversion(const std::string& file, const Inputs& inputs,
                                                const consumers::Consumer& program, Files& files, bool rewrite = false);
 

@@ -16,7 +16,7 @@ namespace fca {
 
 namespace {
 
-/// The other files are read as the reference, but for what is its alone.
+/// The inputs of another file: those of the reference without its image changes and lens circles.
 Inputs inputs_of(const CompareRequest& request, const std::string& file) {
   Inputs inputs = request.reference;
   inputs.files = {file};
@@ -28,7 +28,7 @@ Inputs inputs_of(const CompareRequest& request, const std::string& file) {
 
 bool is_about_unit(const Diagnostic& entry) { return entry.facts.code == Code::kUnitWithoutUse; }
 
-/// The unit that the request gives is that of files that state none; one that states its own keeps it.
+/// Reads a file with the request's length unit or, if the file contains its own unit, without it.
 std::optional<Calibration> read_in_unit(Inputs inputs, Files& files, Diagnostics& diagnostics) {
   Diagnostics found;
   std::optional<Calibration> calibration = read_models(inputs, files, found);
@@ -41,7 +41,7 @@ std::optional<Calibration> read_in_unit(Inputs inputs, Files& files, Diagnostics
   return calibration;
 }
 
-/// A unit was given, and both files state theirs.
+/// True if the request gives a length unit although both files contain theirs.
 bool unit_is_without_use(const CompareRequest& request, const Calibration& reference, const Calibration& other) {
   const auto states_unit = [](const Calibration& calibration) {
     return std::ranges::none_of(calibration.formats, [](const Format* format) { return format->any_length_unit; });
@@ -49,7 +49,7 @@ bool unit_is_without_use(const CompareRequest& request, const Calibration& refer
   return request.reference.length_unit_m && states_unit(reference) && states_unit(other);
 }
 
-/// A file with one camera needs no choice, which then names one of the reference's cameras.
+/// True if the file has one camera. The request's choice then only applies to the reference.
 bool has_one_camera(Inputs inputs, Files& files) {
   Diagnostics discarded;
   inputs.cameras.reset();
@@ -65,7 +65,7 @@ std::optional<Calibration> read_file(const CompareRequest& request, const std::s
   return read_in_unit(inputs, files, diagnostics);
 }
 
-/// Poses by the names under which the file states them.
+/// Names poses in messages by the keys that they have in the file.
 void name_poses_as_stated(const Calibration& calibration, std::vector<Mistake>& mistakes) {
   for (Mistake& mistake : mistakes) {
     if (!mistake.pose) continue;
@@ -79,7 +79,7 @@ void exceed(ComparedFile& compared, Code code, std::vector<Argument> arguments =
   compared.status = worse(compared.status, Status::kRejected);
 }
 
-/// A pixel that is not there is off by more than any limit.
+/// Adds errors for cameras that differ by more than the limit. A missing pixel exceeds every limit.
 void judge_pixels(const CompareRequest& request, const ReferenceFile& reference, ComparedFile& compared) {
   const double limit_px = request.max_error_px.value_or(kSamePx);
   for (const CameraComparison& camera : compared.comparison->cameras) {
@@ -104,7 +104,7 @@ void judge_pixels(const CompareRequest& request, const ReferenceFile& reference,
     exceed(compared, Code::kInversesBeyondLimit, {*compared.inverse_px, limit_px});
 }
 
-/// What is no camera: poses, time offsets, IMU.
+/// Adds errors for facts other than lenses that differ: poses, time offsets, IMU.
 void judge_rest(ComparedFile& compared) {
   const RigComparison& comparison = *compared.comparison;
   for (const PoseComparison& pose : comparison.poses) {
@@ -116,7 +116,8 @@ void judge_rest(ComparedFile& compared) {
   if (!comparison.only_in_reference.empty()) exceed(compared, Code::kReferenceSaysMore, {comparison.only_in_reference});
 }
 
-/// What the other file would do to the images of the reference's pair.
+/// The errors that the other file would cause in the images of the reference's stereo pair; nullopt if there is no such pair,
+/// or the other file lacks it.
 std::optional<PairError> pair_error_of(const Rig& reference, const Rig& other, const RigComparison& comparison) {
   const auto places = stereo_pair(reference);
   if (!places) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Differences as messages.
+// Differences between files as messages.
 #pragma once
 
 #include <fca/compare/report.h>
@@ -12,7 +12,7 @@ namespace fca {
 /// "imu0 gyroscope noise is 10 times the reference's"
 [[nodiscard]] Message facts_of(const FactComparison& fact);
 
-/// Rounding is no difference: 1.8e-14 deg reads as 0.
+/// Converts to the unit of messages. Differences below 1e-9 (rad or m) are rounding and give 0.
 [[nodiscard]] double degrees_apart(double radians);
 [[nodiscard]] double millimetres_apart(double metres);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that state the lens twice: what is compared is the direct polynomial, and programs that project use the other.
+// Compares the inverse polynomials of files that contain a lens as two polynomials. The comparison of cameras uses the direct
+// one, but programs that project use the inverse.
 #include "compare/inverses.h"
 
 #include <fca/formats/consumers/consumer.h>

@@ -7,7 +7,8 @@
 
 namespace fca {
 
-/// ComparedFile::inverse_px
+/// The value of ComparedFile::inverse_px: the largest distance [px] between the pixels of two files' inverse polynomials.
+/// nullopt if a file has none.
 [[nodiscard]] std::optional<double> inverses_apart_px(const Calibration& reference, const Calibration& other);
 
 }  // namespace fca

@@ -12,7 +12,7 @@ void list_assumed_units(const Calibration& calibration, const Format& to, Writte
   const Rig& rig = calibration.rig;
   std::size_t held = 0;
   for (const Written::File& file : written.files) held += file.cameras.size();
-  // Between cameras; where one camera is held, of its pose in the IMU.
+  // A pose between cameras needs two of them in the files, a pose in the IMU needs one.
   const bool posed = std::ranges::any_of(rig.poses, [&rig, held](const PoseEdge& pose) {
     const bool has_imu =
         std::ranges::any_of(rig.imus, [&pose](const Imu& imu) { return imu.name == pose.a || imu.name == pose.b; });

@@ -6,8 +6,8 @@
 
 namespace fca {
 
-/// The translation T of OpenCV's stereo files is in the unit of the calibration board, and no file contains that unit. If such
-/// a pose is written to another format, adds to written.defaults that metres were assumed, for the user to look at.
+/// The translation T of OpenCV's stereo files is in the unit of the calibration board, which no file contains. If such a pose
+/// is written to another format, adds to written.defaults that metres were assumed, so that the user can check it.
 void list_assumed_units(const Calibration& calibration, const Format& to, Written& written);
 
 }  // namespace fca

@@ -16,7 +16,7 @@ std::optional<Calibration> read_into(const ConvertRequest& request, Files& files
     result.status = Status::kBadRequest;
     return std::nullopt;
   }
-  Inputs inputs;  // The input's size and changes are not the base's.
+  Inputs inputs;  // The input's image size and changes do not apply to the base.
   inputs.files = {request.into};
   inputs.opencv_model = request.inputs.opencv_model;
   std::optional<Calibration> into = read_calibration(inputs, files, result.diagnostics);
@@ -38,7 +38,7 @@ std::optional<Calibration> read_into(const ConvertRequest& request, Files& files
 
 namespace {
 
-/// Between which poses lead, in the order of their file.
+/// The frames that the poses connect, in the order of the poses.
 std::vector<std::string> frames_of(const Rig& rig) {
   std::vector<std::string> frames;
   for (const PoseEdge& pose : rig.poses) {
@@ -66,13 +66,14 @@ bool keeps_text(const ConvertRequest& request, const Base& base) {
 
 namespace {
 
-/// Does a camera of the file written into stay, whose model the input's are to share? A mode that is asked for may leave it
-/// out.
+/// True if the format needs one model for all cameras and a camera of the base remains, so that the input's cameras must share
+/// its model. With a mode given that camera may not be written.
 bool shares_model(const ConvertRequest& request, const Base& base, const Rig& input, const Format& to) {
   return to.one_model && keeps_text(request, base) && !request.mode && base.into->rig.cameras.size() > input.cameras.size();
 }
 
-/// Of joined files of the target's own format the first is edited, and takes the others' cameras.
+/// True if the first of the joined files is edited and the other files' cameras are added to it: they all have the target's
+/// format.
 bool edits_first(const Calibration& calibration, const ConvertRequest& request, const Format& to) {
   return request.inputs.join && !request.rewrite && calibration.one_format && calibration.format == &to && to.many_cameras &&
          calibration.with_cameras == 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The text that a conversion is written into: the request's base, or the input itself where the layout stays.
+// The base of a conversion: the text that it edits. That is the file named by --into, or the input itself if its layout stays.
 #pragma once
 
 #include <fca/formats/calibration.h>
@@ -13,39 +13,41 @@ namespace fca {
 
 struct Base {
   const text::Document* document = nullptr;
-  const Calibration* into = nullptr;  ///< The request's; null: the input is the base, or there is none.
-  bool adopted = false;               ///< The input, of another format with the same layout.
+  const Calibration* into = nullptr;  ///< The file of --into, which is the base; null: the input is the base, or there is none.
+  bool adopted = false;               ///< The base is the input, in another format with the same layout.
 };
 
-/// The request's base. Nothing with an error where it cannot be one.
+/// Reads the file of request.into. nullopt, with an error, if it cannot be a base.
 [[nodiscard]] std::optional<Calibration> read_into(const ConvertRequest& request, Files& files, ConvertResult& result);
 
-/// False with an error where the base holds only a pose that the input does not state.
+/// False, with an error, if the base contains only poses and the input has none of them.
 [[nodiscard]] bool has_use_for(const Calibration& into, const Rig& rig, const std::string& input, ConvertResult& result);
 
-/// Does the text of the request's base have to stay?
+/// True if the text of the file of --into must be kept, not replaced by a fresh file.
 [[nodiscard]] bool keeps_text(const ConvertRequest& request, const Base& base);
 
-/// The models to choose from for the request's base: a fork's file is of the fork's own, one that keeps a camera of that
-/// camera's, another of those that its layout holds; empty: no such limit.
+/// The models that fits may choose if the file of --into is kept; empty: no such limit. A file of a fork's model needs that
+/// model. A file that keeps one of its cameras needs that camera's model. Others can take the models that their layout holds.
 [[nodiscard]] std::vector<std::string> models_for(const ConvertRequest& request, const Base& base, const Rig& input,
                                                   const Format& to);
 
-/// False with an error where the request's model is one for which the base has no place.
+/// False, with an error, if the base cannot hold the request's model.
 [[nodiscard]] bool holds_model(const ConvertRequest& request, const Base& base, const Rig& input, const Format& to,
                                Diagnostics& diagnostics);
 
-/// False with an error where the base is for images of another size. A base is not silently made one for other images, whose
-/// thresholds and columns differ; an input that is written into itself is the owner's to change.
+/// False, with an error, if the base is for images of another size. Such a base also contains thresholds and columns for its
+/// size, so that it is not silently changed. An input that is written into itself may change its size, since the user asked for
+/// that.
 [[nodiscard]] bool sizes_agree(const Calibration& base, const Calibration& input, const Rig& rig, const ConvertRequest& request,
                                Diagnostics& diagnostics);
 
-/// False with an error where the base, whose text is to stay, would become a fresh file. Lines of words (DSO's camera.txt) are
-/// never made a YAML file.
+/// False, with an error, if the writer replaced the base, whose text must be kept, by a fresh file. A plain-text file (DSO's
+/// camera.txt) never becomes a YAML file.
 [[nodiscard]] bool is_edit_of_base(const ConvertRequest& request, const Base& base, const Written& written,
                                    Diagnostics& diagnostics);
 
-/// The base of the request: its own, or of joined files of the target's format the first, or the only input.
+/// The base of the conversion: the file of --into, the first of joined files of the target's format, or the only input.
+/// Base::document is null if there is none.
 [[nodiscard]] Base base_of(const ConvertRequest& request, const Calibration& input, const std::optional<Calibration>& into,
                            const Format& to);
 

@@ -10,7 +10,7 @@ namespace fca {
 
 namespace {
 
-/// Does the file say the name, or does its reader make it up?
+/// True if the file contains the name; false if its reader makes it up.
 bool is_stated(const Written::File& file, const std::string& name) {
   const std::optional<text::Document> document = text::as_edited(file.document);
   return document && text::find_entry(document->root(), name, text::Dialect::kPyYaml) != nullptr;

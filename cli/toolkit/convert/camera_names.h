@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the files written call the cameras, where that is not what the input calls them.
+// The names of cameras in the written files, if they differ from those in the input.
 #pragma once
 
 #include <fca/formats/format.h>
@@ -9,8 +9,8 @@
 
 namespace fca {
 
-/// Gives the cameras the names that the files written have for them, where those state or count cameras: a chain begins with
-/// cam0, whichever camera was chosen for it.
+/// Sets ConvertedCamera::name_in_file to the cameras' names in the written files, if these contain names or number the cameras:
+/// a chain begins with cam0, whichever camera that is.
 void name_as_written(const Format& format, const Written& written, std::vector<ConvertedCamera>& cameras);
 
 }  // namespace fca

@@ -31,7 +31,7 @@ std::vector<std::string> models_of_layout(const Format& to, std::string_view lay
 
 namespace {
 
-/// What the numbers of a model may be: what the format stores and the program reads.
+/// The ranges of a model's parameters: what the format can store and the program reads.
 std::vector<ParameterRange> ranges_of(const StoredModel& stored, const ModelChoice& choice) {
   std::vector<ParameterRange> ranges(stored.ranges.begin(), stored.ranges.end());
   for (const consumers::UnreadParameter& parameter : choice.unread) {
@@ -78,7 +78,7 @@ bool may_be_chosen(const StoredModel& stored, const ModelChoice& choice) {
 
 namespace {
 
-/// A camera that has what is to be fixed otherwise is fitted, even to its own model.
+/// True if the camera needs no fit: it has the model, within the ranges and with the parameters that the request fixes.
 bool keeps(const Camera& camera, const StoredModel& stored, const ModelChoice& choice) {
   return camera.lens_id() == stored.model && within(camera.model, ranges_of(stored, choice)) &&
          is_as_fixed(camera.model, choice.request.fixed);
@@ -113,7 +113,7 @@ std::optional<std::vector<ConvertedCamera>> convert_all(const std::vector<Camera
   return outcomes;
 }
 
-/// Coverage first, then the error that the objective makes small, both over all cameras.
+/// How good the fits of all cameras are: the coverage counts first, then the error that the objective minimises.
 struct Merit {
   double unrepresentable = 0.0;
   double square_sum = 0.0;
@@ -130,11 +130,11 @@ Merit merit_of(const std::vector<ConvertedCamera>& outcomes, Objective objective
   return merit;
 }
 
-constexpr double kSameCoverage = 1e-3;  // a share of the image finer than the lattice can tell
+constexpr double kSameCoverage = 1e-3;  // a smaller share of the image than the lattice can resolve
 
 bool better(const Merit& a, const Merit& b) {
   if (std::abs(a.unrepresentable - b.unrepresentable) > kSameCoverage) return a.unrepresentable < b.unrepresentable;
-  // Nobody sees such a difference: then the order of the format's table, its usual models first, decides.
+  // A smaller difference is invisible: the order of the format's table, its usual models first, decides.
   constexpr double kSameError = 0.96;       // within 2 %
   constexpr double kNoError = 1e-6 * 1e-6;  // px^2
   return a.square_sum < kSameError * b.square_sum && b.square_sum > kNoError;
@@ -146,8 +146,8 @@ std::vector<std::string> storable(const Format& format) {
   return names;
 }
 
-/// The row under which a camera keeps its model: the stock program's; any, where the camera comes from a file of that very
-/// format.
+/// The row of the format's table with which a camera keeps its model: one that the stock program reads or, if the camera comes
+/// from a file of the same format, any. nullopt if it must be fitted.
 std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, const ModelChoice& choice) {
   for (const StoredModel& stored : format.models) {
     if ((may_be_kept(stored, choice) || choice.same_format) && keeps(camera, stored, choice)) return stored;
@@ -160,7 +160,7 @@ std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, 
   return as_read;
 }
 
-/// The share of the images, summed over them, that lies 90 degrees and more from the axis.
+/// The share of the image that lies 90 degrees or more from the axis, summed over the images.
 double share_behind(const std::vector<ConvertedCamera>& outcomes) {
   constexpr double kAheadDeg = 90.0;
   double share = 0.0;
@@ -171,7 +171,7 @@ double share_behind(const std::vector<ConvertedCamera>& outcomes) {
   return share;
 }
 
-/// All of the lens, with errors that need no better model?
+/// True if every camera's whole lens is covered, with errors so small that no better model is needed.
 bool is_good_everywhere(const std::vector<ConvertedCamera>& outcomes) {
   constexpr double kGoodRms = 0.25;  // px
   return std::ranges::all_of(outcomes, [](const ConvertedCamera& outcome) {
@@ -180,8 +180,8 @@ bool is_good_everywhere(const std::vector<ConvertedCamera>& outcomes) {
   });
 }
 
-/// All cameras in the best of the models that may be chosen. One that sees only ahead is not tried where another
-/// covers what lies behind, nor fitted to a cone where another is good everywhere: that fit is the slowest of all.
+/// Fits all cameras with the best model that may be chosen. A model that sees only ahead is not tried if another covers what is
+/// behind, and not fitted to a cone if another is good everywhere: that fit is the slowest of all.
 std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>& cameras, const Format& format,
                                                        const ModelChoice& choice, Diagnostics& diagnostics) {
   struct Candidate {
@@ -228,11 +228,12 @@ std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>
   return std::nullopt;
 }
 
-/// All cameras in one model: theirs, if the stock program reads it and all have it, else the best that it reads.
+/// All cameras with one model: the one that they all have, if the stock program reads it, otherwise the best one that it reads.
 std::optional<std::vector<ConvertedCamera>> common_model(const std::vector<Camera>& cameras, const Format& format,
                                                          const ModelChoice& choice, Diagnostics& diagnostics) {
   for (const StoredModel& stored : format.models) {
-    // A model that is never chosen is kept of one camera: a pair may need another (stella_vslam rectifies no division lens).
+    // A model that is never chosen (kept_only) is kept for a single camera only: a pair may need another (stella_vslam does not
+    // rectify division lenses).
     const bool may_stay = may_be_chosen(stored, choice) || (cameras.size() == 1 && may_be_kept(stored, choice));
     const bool all_keep =
         may_stay && std::ranges::all_of(cameras, [&](const Camera& camera) { return keeps(camera, stored, choice); });
@@ -253,13 +254,13 @@ std::optional<std::vector<ConvertedCamera>> all_cameras(const std::vector<Camera
     const std::size_t used = std::min(cameras.size(), choice.most_cameras);
     std::optional<std::vector<ConvertedCamera>> outcomes =
         convert_all({cameras.begin(), cameras.begin() + static_cast<std::ptrdiff_t>(used)}, *stored, choice, diagnostics);
-    // A format that uses no more drops the others, and says so.
+    // The writer drops the other cameras and lists them as losses.
     for (std::size_t i = used; outcomes && i < cameras.size(); ++i) outcomes->push_back({cameras[i], cameras[i], std::nullopt});
     return outcomes;
   }
 
-  // What a program holds in one type for all cameras is chosen for all; else each that can keeps its own, and the others take
-  // one. What no model is has no type.
+  // If a program has one type for all cameras, one model is chosen for all. Otherwise each camera that can keeps its model, and
+  // the others share one. Cameras that are tables of rays have no type.
   std::vector<Camera> to_fit;
   std::vector<bool> is_fitted(cameras.size());
   const std::span<const Camera> used = std::span(cameras).first(std::min(cameras.size(), choice.most_cameras));

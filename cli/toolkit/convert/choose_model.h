@@ -17,38 +17,39 @@
 
 namespace fca {
 
-/// What a model gets that cannot describe the whole lens.
+/// What to do with a model that cannot describe the whole lens: fit it to a cone, or not at all.
 enum class Partial : std::uint8_t { kCone, kNothing };
 
 struct ModelChoice {
-  const ConvertRequest& request;        ///< What is asked of a fit; it outlives the choice.
-  std::size_t most_cameras = SIZE_MAX;  ///< Further ones are not converted: no file will hold them.
+  const ConvertRequest& request;        ///< Options of the fits; it must outlive the choice.
+  std::size_t most_cameras = SIZE_MAX;  ///< Cameras beyond this number are not converted, since no file will contain them.
   std::span<const consumers::UnreadParameter> unread = {};
-  std::vector<std::string> among = {};  ///< What may be chosen; empty: what the stock program reads.
+  std::vector<std::string> among = {};  ///< Ids of the models that may be chosen; empty: those that the stock program reads.
   Partial partial = Partial::kCone;
-  KnownConversions* known = nullptr;  ///< Where conversions of the same request are remembered; null: nowhere.
+  KnownConversions* known = nullptr;  ///< A cache of conversions of the same request; null: none.
   bool same_format = false;           ///< The cameras come from a file of the format they are written to.
 };
 
-/// Does a fresh file in that layout, one of the format's, hold the model?
+/// True if a fresh file in that layout of the format can contain the model.
 [[nodiscard]] bool layout_stores(const Format& to, std::string_view layout, std::string_view model);
 
-/// What may be chosen for such a file: the stock program's of the models that the layout holds, else all of those.
+/// Ids of the models that may be chosen for that layout: those that the stock program reads or, if the layout holds none of
+/// these, all that it holds.
 [[nodiscard]] std::vector<std::string> models_of_layout(const Format& to, std::string_view layout);
 
-/// Is the model one that the choice takes where none is asked for?
+/// True if the model may be chosen when the request names none.
 [[nodiscard]] bool may_be_chosen(const StoredModel& stored, const ModelChoice& choice);
 
-/// What lib/convert is to be asked for, to fit a camera to what `stored` can hold.
+/// The options of fca::convert() for a fit to what `stored` can hold.
 [[nodiscard]] ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice);
 
-/// As fca::convert(), or remembered.
+/// Like fca::convert(), but uses the cache of the choice.
 [[nodiscard]] std::optional<Conversion> converted(const Camera& camera, const ConvertOptions& options,
                                                   const ModelChoice& choice, Diagnostics& diagnostics);
 
-/// The cameras as `format` will store them. Without a model asked for: each keeps its model if the stock program reads it
-/// exactly and all agree, else all take the stock model that covers most of the images and, among equals, fits best by
-/// the objective.
+/// The cameras as `format` will store them; nullopt, with errors, if a fit fails. Unless the request names a model, cameras
+/// keep their model if the stock program reads it exactly (all of them, if the format has one model for all). The others take
+/// the stock model that covers most of the images and, among equals, has the smallest error by the objective.
 [[nodiscard]] std::optional<std::vector<ConvertedCamera>> convert_cameras(const std::vector<Camera>& cameras,
                                                                           const Format& format, const ModelChoice& choice,
                                                                           Diagnostics& diagnostics);

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kPair = 2;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// What the model is off by, as a conversion's report has it; nothing with an error where the source has no domain.
+/// A report with the errors of `model`; nullopt, with an error, if the source has no domain.
 std::optional<ConversionReport> report_of(const Camera& source, const CameraModel& model, const ConvertRequest& request,
                                           Diagnostics& diagnostics) {
   const std::optional<Domain> domain = domain_of(source, request.inputs.max_angle_rad, diagnostics);

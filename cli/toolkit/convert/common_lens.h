@@ -5,9 +5,9 @@
 
 namespace fca {
 
-/// Where the request asks for the format's layout for programs that take the first fisheye's lens for both
-/// (Format::common_lens_layout), fits one lens to the first two cameras, with a note of what each gains; false with an error
-/// where they are no pair of fisheyes of one model, or the file holds fewer than two: `held`.
+/// If the request's layout is for programs that use the first fisheye's lens parameters for both (Format::common_lens_layout),
+/// fits one lens to the first two cameras and adds a note with the errors before and after. `held`: the number of cameras in
+/// the file. False, with an error, if it is below 2, or the first two cameras are not fisheyes of one model.
 [[nodiscard]] bool share_lens(const ConvertRequest& request, const Format& to, std::size_t held,
                               std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics);
 

@@ -21,7 +21,7 @@ namespace fca {
 
 namespace {
 
-/// The model that older versions of the program read, and what it costs; nothing if none does.
+/// Advises a model that older versions of the program read too, with its error; an empty message if there is none.
 Message remedy_of_version(const ConvertRequest& request, const Start& start, const ConvertResult& result) {
   std::vector<Camera> sources;
   for (const ConvertedCamera& camera : result.cameras) sources.push_back(camera.source);
@@ -29,8 +29,8 @@ Message remedy_of_version(const ConvertRequest& request, const Start& start, con
   return best_of_every_version(sources, *result.to, choice).value_or(Message());
 }
 
-/// Of lenses that their models do not reach all of: what would describe them better. The library does not know which models the
-/// program reads.
+/// Adds to each diagnostic about a lens that its model does not cover which models would be better. lib/ cannot do that: it
+/// does not know which models the program reads.
 void name_better_models(const ConvertRequest& request, const Start& start, ConvertResult& result) {
   ConvertRequest chosen = request;
   if (!result.layout.empty()) chosen.layout = FormatLayout::find(*result.to, result.layout);
@@ -50,7 +50,7 @@ void name_better_models(const ConvertRequest& request, const Start& start, Conve
   result.diagnostics = std::move(named);
 }
 
-/// A fresh file in place of the edited text of the input, if the programs load that.
+/// The result with a fresh file instead of the edited text of the input; nullopt if that fails or the programs do not load it.
 std::optional<ConvertResult> rewritten(const ConvertRequest& request, const Start& start, const ConvertResult& before) {
   ConvertRequest rewriting = request;
   rewriting.rewrite = true;
@@ -62,7 +62,8 @@ std::optional<ConvertResult> rewritten(const ConvertRequest& request, const Star
   return other;
 }
 
-/// A pose that mirrors can be written into no file: not bad input, which cannot be read, but a calibration that cannot be used.
+/// The verdict if the only errors are poses that are mirror images: no file can contain them. The input can be read, so that it
+/// is not bad input but a calibration that cannot be used. nullopt if there are other errors.
 std::optional<Verdict> verdict_on_mirrors(const ConvertResult& result) {
   Verdict verdict;
   verdict.word = VerdictWord::kDoNotUse;
@@ -74,8 +75,8 @@ std::optional<Verdict> verdict_on_mirrors(const ConvertResult& result) {
   return verdict.reasons.empty() ? std::nullopt : std::optional(std::move(verdict));
 }
 
-/// The format's own program, where the files are for another one and the request names neither that nor a layout or a base of
-/// it. Who asks for a format by its name asks for the program of that name, too (OKVIS).
+/// The name of the format's own program if the files are for another one although the request names no program, layout or base.
+/// Empty otherwise. A request for a format that has its program's name also names the program (OKVIS).
 std::string_view not_written_for(const ConvertRequest& request, const ConvertResult& result) {
   const bool is_asked_for = request.program != nullptr || request.layout || !request.into.empty();
   const consumers::Consumer* own = consumers::own_program(result.to->id, true);
@@ -94,10 +95,10 @@ bool lacks_rate(const Start& start) {
   return std::ranges::any_of(start.input.rig.imus, [](const Imu& imu) { return !imu.rate_hz; });
 }
 
-/// What a fresh file would be in place of the edited text, where that is refused, not to be used, or another program's.
+/// Adds the remedy of a fresh file if the edited text is refused, not to be used, or for another program.
 void offer_fresh_file(const ConvertRequest& request, const Start& start, const ConvertResult& before,
                       const ConvertResult& result, Verdict& verdict) {
-  // What is refused as it was before the edit has its fix with that diagnostic, if it is one.
+  // The diagnostic that a program refused the file already before the edit, if there is one. It becomes the remedy.
   const std::vector<Diagnostic>& entries = result.diagnostics.entries();
   const auto refused = std::ranges::find_if(entries, [](const Diagnostic& entry) {
     return entry.facts.code == Code::kInputNotUnderstood || entry.facts.code == Code::kEditNotProven;
@@ -154,7 +155,7 @@ std::vector<Finding> findings_of(const Start& start, const ConvertResult& before
   for (const ConvertedCamera& camera : result.cameras) {
     if (const std::optional<Message> stray = stray_ray(camera))
       findings.push_back({.severity = info(stray->code).severity, .facts = *stray});
-    if (!camera.report || camera.report->exact) continue;  // else it is a finding in the input
+    if (!camera.report || camera.report->exact) continue;  // otherwise the checks of the input report it
     if (const std::optional<Message> problem = undistortion_problem(camera.target))
       findings.push_back({.severity = info(problem->code).severity, .facts = *problem});
   }
@@ -170,7 +171,7 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.is_asked = request.verify;
   facts.has_reader = result.unproven.empty();
   facts.not_for = not_written_for(request, result);
-  // Whoever asks for a model that only forks read means them.
+  // A request for a model that only forks read is a request for these forks.
   facts.is_named = request.into.empty() && request.model == nullptr;
   facts.losses = result.losses;
   facts.defaults = result.defaults;
@@ -198,7 +199,8 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   return verdict;
 }
 
-/// In the layout that is written without the settings, where that has their keys and the usual one has not.
+/// Writes the layout that is chosen without the settings, if that layout has their keys and the usual one has not. False if
+/// that is not so.
 bool write_where_settings_fit(const ConvertRequest& request, const Start& start, const ConvertResult& before,
                               ConvertResult& result) {
   const bool lacks_key = std::ranges::any_of(result.diagnostics.entries(),
@@ -237,7 +239,8 @@ bool run(const ConvertRequest& asked, Files& files, ConvertResult& result) {
     try_nearer_fit(request, start, before, result);
   }
   name_better_models(request, start, result);
-  if (request.into.empty()) result.pair = pair_error_of(start.input.rig, result);  // a base names the cameras otherwise
+  // With a base the cameras may have other names.
+  if (request.into.empty()) result.pair = pair_error_of(start.input.rig, result);
   result.rms_px = worst_rms_px(result);
   result.max_px = worst_max_px(result);
   for (Loss& loss : result.losses) loss.matters = matters(loss, *result.to, result.mode);
@@ -249,7 +252,7 @@ bool run(const ConvertRequest& asked, Files& files, ConvertResult& result) {
   return true;
 }
 
-/// The cameras as the program takes them on its command line.
+/// Replaces the result's files by the cameras as arguments of the program's command line.
 void write_arguments(ConvertResult& result) {
   const ConvertedFile& written = result.files.front();
   Diagnostics ignored;

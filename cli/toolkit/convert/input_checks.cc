@@ -9,7 +9,7 @@ namespace fca {
 
 namespace {
 
-/// A file without a camera was probably meant as a further part.
+/// Adds the error of an input without cameras. Such a file was probably meant as a second input.
 void explain_no_camera(const ConvertRequest& request, const Calibration& calibration, Diagnostics& diagnostics) {
   const Rig& rig = calibration.rig;
   Message what{Code::kNoCameraAtAll};
@@ -31,7 +31,7 @@ bool contradicts(const ConvertRequest& request, const Calibration& calibration, 
   return true;
 }
 
-/// The file of one IMU and the poses of another: where that one stands nobody said.
+/// True, with an error, if the rig has one IMU and poses of another one: the pose of the first is unknown.
 bool imu_is_another(const Rig& rig, const std::string& input, Diagnostics& diagnostics) {
   const auto is_posed = [&rig](const std::string& name) {
     return std::ranges::any_of(rig.poses, [&name](const PoseEdge& edge) { return edge.a == name || edge.b == name; });

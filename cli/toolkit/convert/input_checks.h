@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Does the input hold what a conversion needs?
+// Checks that the input contains what a conversion needs.
 #pragma once
 
 #include <fca/formats/calibration.h>
@@ -9,8 +9,8 @@
 
 namespace fca {
 
-/// False with an error where the input does not serve: no camera, several where a baseline is given for one, or an IMU to which
-/// no pose leads.
+/// False, with an error, if the input has no camera, has several although the request gives a baseline for one, or has an IMU
+/// that no pose connects while another one has poses.
 [[nodiscard]] bool serves(const ConvertRequest& request, const Calibration& input, ConvertResult& result);
 
 }  // namespace fca

@@ -13,8 +13,8 @@ namespace fca {
 
 namespace {
 
-/// Which camera of the base each of the rig's stands for: the one of its name, if any of the rig's names is one of the base's
-/// and no order was asked for, else the one in its place; nothing: it is added.
+/// For each camera of the rig, the camera of the base that it replaces; null: it is added. Cameras are matched by name if any
+/// of the rig's names is in the base and the request gives no order, otherwise by index.
 std::vector<const Camera*> counterparts(const Rig& base, const Rig& rig, bool in_order) {
   const auto known = [&base](const Camera& camera) { return base.find_camera(camera.name) != nullptr; };
   const bool by_name = !in_order && std::ranges::any_of(rig.cameras, known);
@@ -26,8 +26,9 @@ std::vector<const Camera*> counterparts(const Rig& base, const Rig& rig, bool in
   return result;
 }
 
-/// Names the rig's cameras as their counterparts; one that is added keeps its name, or gets a free one. Any other name of a
-/// camera of the base, of one that was left out of the input and has a pose yet, becomes "input/NAME".
+/// Gives the rig's cameras the names of their counterparts. An added camera keeps its name, or gets an unused one if the name
+/// is taken. Poses of the input may name a camera that was removed from it and that the base also has; its name becomes
+/// "input/NAME".
 void take_names(const Rig& base, std::span<const Camera* const> counterparts, Rig& rig, Kept& kept, Diagnostics& diagnostics) {
   std::vector<std::pair<std::string, std::string>> names;
   const auto is_taken = [&](const std::string& name) {
@@ -62,7 +63,7 @@ void take_names(const Rig& base, std::span<const Camera* const> counterparts, Ri
   }
 }
 
-/// The base's cameras in their order, as the rig has them where it does, then those that only the rig has.
+/// The cameras of the base in their order, replaced by those of the rig with the same names, then those that only the rig has.
 std::vector<Camera> merged_cameras(const Rig& base, const Rig& rig, Kept& kept) {
   std::vector<Camera> cameras;
   for (const Camera& camera : base.cameras) {
@@ -80,10 +81,10 @@ void keep(std::optional<T>& value, const std::optional<T>& otherwise) {
   if (!value) value = otherwise;
 }
 
-/// The base's poses beside those that the rig states. They keep their numbers, also where they contradict each other, unless
-/// the rig moves something that one of them speaks of, too: then it follows.
+/// Adds the base's poses that the rig does not have. They keep their values, even if they contradict each other, unless the rig
+/// moves a frame of such a pose: then the pose is computed from the rig.
 void keep_poses(const Rig& base, Rig& rig, Kept& kept, Diagnostics& diagnostics) {
-  // What the base says of the rig's own edges. Edge for edge the same, so that both resolve along the same path.
+  // The rig's edges with the base's values. The edges are the same, so that both resolve along the same path.
   Rig before;
   const Rig input = rig;
   for (const PoseEdge& edge : rig.poses) {
@@ -99,7 +100,7 @@ void keep_poses(const Rig& base, Rig& rig, Kept& kept, Diagnostics& diagnostics)
     const bool moved = now && !(then && agree(*now, *then)) && !agree(*now, edge.T_a_b);
     if (moved) {
       edge.T_a_b = *now;
-      // The same statement the other way round is no second one.
+      // The same pose in the other direction needs no note.
       if (rig.stated(edge.b, edge.a) == nullptr) diagnostics.add(Code::kPoseFollows, {edge.a, edge.b});
     }
     const auto is_another = [&](const std::string& name) {
@@ -114,8 +115,8 @@ void keep_poses(const Rig& base, Rig& rig, Kept& kept, Diagnostics& diagnostics)
   for (const Frame& frame : base.frames) rig.add_frame(frame.name, frame.kind);
 }
 
-/// A base of poses alone counts the cameras that it speaks of. Where the rig does not call its own so, they are the rig's in
-/// order.
+/// A base that contains only poses may number its cameras (cam0, ...). If the rig's cameras have other names, the numbers are
+/// replaced by the rig's names in order.
 Rig with_names_of(const Rig& rig, Rig base) {
   if (!base.cameras.empty() || rig.cameras.size() < 2) return base;
   const auto frames = [&base] {

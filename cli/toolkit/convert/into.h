@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An existing file is written into: what the input says takes the place of what it said.
+// Writing into an existing file (--into): facts of the input replace those of the file, the base.
 #pragma once
 
 #include <fca/diagnostics.h>
@@ -11,25 +11,24 @@
 
 namespace fca {
 
-/// What of a base stays that the input says nothing of, and what does not.
+/// What remains of a base because the input does not have it, and which of its cameras do not remain.
 struct Kept {
-  std::vector<std::string> names;     ///< Of the rig's cameras, in its order, as the base or the result calls them.
-  std::vector<std::string> replaced;  ///< Its cameras whose place another one of the input takes.
+  std::vector<std::string> names;     ///< The names of the rig's cameras in the result, in the rig's order.
+  std::vector<std::string> replaced;  ///< Cameras of the base that a camera of the input with another name replaces.
   std::vector<std::string> cameras;
-  std::vector<PoseEdge> poses;            ///< Of cameras that are now others.
-  std::optional<double> baseline_m = {};  ///< Of a rectified pair or depth sensor that is now another.
+  std::vector<PoseEdge> poses;            ///< Poses of the base whose camera the input replaces by another one.
+  std::optional<double> baseline_m = {};  ///< Baseline [m] of the base, if its first camera is replaced by another one.
 };
 
-/// What `base` is to say: the rig's cameras in the place of the base's of the same names or, where no name is known there or
-/// `in_order` is asked for, one after the other, and then under the base's names, with a note; of IMUs, poses, times, rates and
-/// topics what the rig states, else what the base states. Cameras that only the base has stay.
+/// The rig that the file is to contain. Cameras of the rig replace those of the base with the same names. If no name is in the
+/// base, or with `in_order`, they replace them one by one and take the base's names, with a note. IMUs, poses, time offsets,
+/// rates and topics are those of the rig where it has them, otherwise those of the base. Cameras that only the base has remain.
 [[nodiscard]] Rig put_into(const Rig& base, Rig rig, bool in_order, Kept& kept, Diagnostics& diagnostics);
 
-/// A note on what was kept, of that which the files written still hold (a mode may have no place for it).
+/// Adds notes about what was kept of the base, as far as the written files contain it (a mode may have no place for it).
 void tell_of_kept(const Kept& kept, const Written& written, Diagnostics& diagnostics);
 
-/// Does the rig say one of the poses that `base` holds, of two cameras or frames, under its own names of them or, in order,
-/// under others?
+/// True if the rig has one of the poses in `base`. A base that numbers its cameras is matched to the rig's cameras in order.
 [[nodiscard]] bool says_a_pose_of(const Rig& base, const Rig& rig);
 
 }  // namespace fca

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conversions of cameras that were made before: the layouts of a format are tried with the same cameras.
+// A cache of conversions. The layouts of a format are tried with the same cameras, which need only one fit.
 #pragma once
 
 #include <fca/convert/convert.h>
@@ -10,10 +10,10 @@
 
 namespace fca {
 
-/// Of one request. Threads may ask at the same time.
+/// Valid for one request. Thread-safe.
 class KnownConversions {
  public:
-  /// As fca::convert().
+  /// Like fca::convert(), including the diagnostics.
   [[nodiscard]] std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& options,
                                                   Diagnostics& diagnostics);
 
@@ -27,7 +27,7 @@ class KnownConversions {
   [[nodiscard]] const Known* find(const Camera& camera, const ConvertOptions& options);
 
   std::mutex mutex_;
-  std::list<Known> known_;  ///< They stay where they are.
+  std::list<Known> known_;  ///< A list, so that pointers stay valid.
 };
 
 }  // namespace fca

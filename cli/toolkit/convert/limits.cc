@@ -24,8 +24,8 @@ void warn_of_poor_fits(const ConvertRequest& request, ConvertResult& result) {
 
 namespace {
 
-/// Why the error of a fit is not known to be within the limit; nothing if it is. A maximum counts where the proof confirms it:
-/// of an image one pixel wide the lattice may miss the worst ray.
+/// The reason why the error of a fit is not known to be within the limit; nullopt if it is. The measured maximum counts only if
+/// the proven bound confirms it to 10 %: in an image one pixel wide the lattice may miss the worst ray.
 std::optional<Message> beyond_limit(const ConvertedCamera& camera, double limit_px) {
   const ErrorSummary& error = camera.report->judgement.error;
   constexpr double kConfirmed = 1.1;
@@ -60,7 +60,7 @@ void apply_limits(const ConvertRequest& request, ConvertResult& result) {
   }
   for (const ConvertedCamera& camera : result.cameras) {
     if (!request.max_error_px || !camera.report) continue;
-    // A pixel that is not there is off by more than any limit.
+    // A missing pixel exceeds every limit.
     constexpr double kNoticeable = 1e-3;
     const double missing = camera.report->judgement.coverage.unrepresentable;
     if (missing > kNoticeable || (camera.report->fitted_to_cone && missing > 0.0)) {

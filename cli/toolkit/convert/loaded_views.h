@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What programs made of files in a conversion: each is asked once about the same bytes.
+// A cache of what programs read from files during a conversion: each reads the same bytes only once.
 #pragma once
 
 #include <fca/formats/consumers/consumer.h>
@@ -9,13 +9,13 @@
 
 namespace fca {
 
-/// Of one request, and one thread.
+/// Valid for one request; not thread-safe.
 class LoadedViews {
  public:
-  /// As Consumer::load(). The view stays where it is.
+  /// Like Consumer::load(). The reference stays valid.
   [[nodiscard]] const consumers::ConsumerView& of(const consumers::Consumer& program, const std::string& bytes,
                                                   const consumers::LoadOptions& options);
-  /// Takes what the program made of the bytes when it was asked otherwise.
+  /// Adds a view that the program has loaded elsewhere.
   void add(const consumers::Consumer& program, std::string bytes, const consumers::LoadOptions& options,
            consumers::ConsumerView view);
 

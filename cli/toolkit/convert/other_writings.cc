@@ -21,7 +21,7 @@ namespace fca {
 
 namespace {
 
-// px, at worst:
+// Limits of the largest distance [px]:
 constexpr double kNoticeable = 0.25;
 constexpr double kRounding = 0.02;
 
@@ -30,7 +30,7 @@ const ProofResult* first_proof(const ConvertResult& result) {
   return proof == result.proofs.end() ? nullptr : &*proof;
 }
 
-/// Written for the same program in the same mode, and it loads.
+/// True if `other` is for the same program and mode, and that program loads it.
 bool serves_the_same(const ConvertResult& other, const ConvertResult& result) {
   const ProofResult* proof = first_proof(other);
   return other.status == Status::kDone && other.mode == result.mode && proof != nullptr && proof->loads &&
@@ -44,7 +44,7 @@ std::optional<ConvertResult> written_as(const ConvertRequest& request, const Sta
   return other;
 }
 
-/// The cameras of all files, as the program that they are written for sees them.
+/// The cameras of all files, as the first program of each file sees them.
 std::vector<CameraProof> seen_cameras(const ConvertResult& result) {
   std::vector<CameraProof> cameras;
   for (const ProofResult& proof : result.proofs) {
@@ -53,7 +53,7 @@ std::vector<CameraProof> seen_cameras(const ConvertResult& result) {
   return cameras;
 }
 
-/// The largest of a figure over the cameras.
+/// The largest value of one statistic over the cameras.
 double largest(const ConvertResult& result, double PixelDistance::*figure) {
   double worst = 0.0;
   for (const CameraProof& camera : seen_cameras(result)) worst = std::max(worst, camera.distance.decisive().*figure);
@@ -78,7 +78,7 @@ bool has_same_models(const ConvertResult& a, const ConvertResult& b) {
   });
 }
 
-/// Does the layout store the models that the cameras have?
+/// True if the layout can contain the models that the cameras have.
 bool stores_models(const Format& to, std::string_view layout, const ConvertResult& result) {
   return std::ranges::all_of(result.cameras,
                              [&](const ConvertedCamera& camera) { return layout_stores(to, layout, camera.target.lens_id()); });
@@ -90,8 +90,8 @@ bool is_good(const ConvertResult& result) {
   });
 }
 
-/// Is the other one to be written instead? Another model costs all programs something that the exact one does not: it has to be
-/// worth it.
+/// True if `other` is to be written instead of `best`. If it has other models, `best` must not be good already: another model
+/// adds an error for all programs, which the exact one does not have.
 bool is_better(const ConvertResult& other, const ConvertResult& best) {
   const bool is_tie = worst_rms_px(other) == worst_rms_px(best);
   const bool has_less =
@@ -100,9 +100,9 @@ bool is_better(const ConvertResult& other, const ConvertResult& best) {
   return !is_good(best) || has_same_models(other, best);
 }
 
-constexpr double kSameShare = 0.01;  // of an image
+constexpr double kSameShare = 0.01;  // fraction of an image
 
-/// The share of the camera's image for which the program has no right ray.
+/// The share of the camera's image for which the program has no correct ray.
 double share_lost(const CameraProof& camera) { return camera.distance.in_image.region * camera.distance.in_image.no_rays; }
 
 double largest_share_lost(const ConvertResult& result) {
@@ -111,16 +111,16 @@ double largest_share_lost(const ConvertResult& result) {
   return share;
 }
 
-/// Does the program give up a part of the image that the model it was fitted in has?
+/// True if the program ignores a part of the image that the fitted model covers.
 bool is_cut_by_program(const ConvertedCamera& camera, const std::vector<CameraProof>& seen) {
   const auto proof = std::ranges::find(seen, camera.source.name, &CameraProof::name);
   if (proof == seen.end() || !camera.report) return false;
   if (camera.source.lens_id() == camera.target.lens_id()) return false;
-  // Beyond what was scored the model has no right ray either, by its formula or because it was fitted to less.
+  // Outside the scored part the model itself has no correct ray, by its formula or because it was fitted to a smaller cone.
   return share_lost(*proof) > 1.0 - camera.report->judgement.coverage.scored + kSameShare;
 }
 
-/// The best way to write the files so far, and those beside it.
+/// The best way to write the files so far, and the others that were tried.
 class Choice {
  public:
   Choice(const ConvertRequest& request, const ConvertResult& result)
@@ -143,16 +143,16 @@ class Choice {
     }
   }
 
-  /// Is nothing to be gained by another layout?
+  /// True if another layout cannot improve anything.
   [[nodiscard]] bool is_right() const { return largest(best_, &PixelDistance::max) <= kRounding; }
 
-  /// Is nothing to be gained by another model?
+  /// True if another model need not be tried.
   [[nodiscard]] bool is_good() const {
     const auto is_enough = [](const OtherWriting& other) { return other.max_px <= kNoticeable; };
     return largest(best_, &PixelDistance::max) <= kNoticeable || std::ranges::any_of(others_, is_enough);
   }
 
-  /// Those in which the files could not be written for the same program.
+  /// The layouts in which the files have not been written for the same program.
   [[nodiscard]] std::vector<std::string_view> layouts_left() const { return left_; }
 
   [[nodiscard]] ConvertResult take() && {
@@ -169,13 +169,13 @@ class Choice {
   std::vector<std::string_view> left_;
 };
 
-/// Is the input another program's file, in whose layout that one could not be written? It was composed anew.
+/// True if the input is another program's file, so that the layout of this one could not be kept and a fresh file was composed.
 bool is_of_another(const ConvertRequest& request, const Start& start, const ConvertResult& result) {
   if (!request.into.empty()) return false;
   const consumers::LoadOptions options = load_options(ReadOptions(), result.mode);
   const std::string& bytes = start.base.document->source().bytes;
   const ConvertedFile& file = result.files.front();
-  if (file.programs.empty() || file.bytes == bytes) return false;  // unchanged, and the program loads it
+  if (file.programs.empty() || file.bytes == bytes) return false;  // the file is unchanged, and the program loads it
   const auto reads = [&](const consumers::Consumer& each) {
     return each.cameras && each.reads(result.to->id) && start.views->of(each, bytes, options).loads();
   };
@@ -199,7 +199,7 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
   const bool is_wide = std::ranges::any_of(proof->cameras, [](const CameraProof& camera) { return camera.distance.is_wide; });
   Choice choice(request, result);
   ConvertRequest other = request;
-  // First in the models that the cameras have: nothing is fitted for that.
+  // First with the models that the cameras have: that needs no fit.
   for (const std::string_view layout : result.to->layouts) {
     if (choice.is_right()) break;
     if (layout == name_of(request.layout) || layout == result.to->common_lens_layout ||
@@ -208,7 +208,7 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
     other.layout = FormatLayout::find(*result.to, layout);
     choice.consider(written_as(other, start, before, result), layout);
   }
-  // A model that leaves a part of the lens out is no better way.
+  // A model that does not cover the whole lens is no improvement.
   if (!choice.is_good() && request.model == nullptr) {
     for (const std::string_view layout : choice.layouts_left()) {
       for (const StoredModel& stored : result.to->models) {
@@ -234,7 +234,7 @@ void try_other_models(const ConvertRequest& request, const Start& start, const C
   const ModelChoice choice = choice_of(other, start, *result.to);
   std::optional<ConvertResult> best;
   for (const StoredModel& stored : result.to->models) {
-    // Cameras that the program reads whole keep their model.
+    // Cameras that the program reads completely keep their model.
     const auto stays = [&](const ConvertedCamera& camera) { return camera.target.lens_id() == stored.model || is_cut(camera); };
     if (!may_be_chosen(stored, choice) || !std::ranges::all_of(result.cameras, stays)) continue;
     other.model = find_model(stored.model);

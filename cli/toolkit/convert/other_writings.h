@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// After a file was written and proven: other ways to write the same calibration, of which the program may misread less. Each is
-// written and proven, too, and the best becomes the result.
+// After a file was written and proven: tries other ways to write the same calibration, which the program may read with smaller
+// errors. Each one is written and proven too, and the best becomes the result.
 #pragma once
 
 #include "start.h"
 
 namespace fca {
 
-/// The distance in pixels (rms over the image) between the converted camera and the one that the target program sees in the
-/// file, of the camera with the largest; 0 where no program was asked.
+/// The rms distance [px] over the image between the converted camera and the camera that the target program sees in the file,
+/// for the camera with the largest one; 0 if no program was asked.
 [[nodiscard]] double worst_rms_px(const ConvertResult& result);
-/// The same distance at the worst pixel of all cameras.
+/// The largest distance [px] at any pixel of any camera.
 [[nodiscard]] double worst_max_px(const ConvertResult& result);
 
-/// Where the program misreads a camera, writes the other layouts, too, each in the cameras' own models or, where it does not
-/// hold those, in the best that it holds. The best for that program becomes the result, unless the request asks for a layout or
-/// a model; the rest is listed (ConvertResult::others). `before`: the result as it was before anything was written.
+/// If the program misreads a camera, also writes the other layouts: with the cameras' models or, if a layout does not hold
+/// these, with the best models that it holds. The best result for that program becomes the result, unless the request names a
+/// layout or a model; the others are listed in ConvertResult::others. `before`: the result before anything was written.
 void try_other_layouts(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result);
 
-/// Where the program gives up rays that the model of a fitted camera has (3dgrut those at the border of a wide lens), writes
-/// the models that may be chosen, too. The one with which it gives up the least of the images becomes the result, if it is good
-/// there. Without effect where the request names a model or a file to write into.
+/// If the program ignores rays that the model of a fitted camera has (3dgrut those at the border of a wide lens), also writes
+/// the other models that may be chosen. The one with which the program ignores the smallest share of the images becomes the
+/// result, if its errors are small. Does nothing if the request names a model or a file to write into.
 void try_other_models(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result);
 
-/// Where cameras of wide lenses are fitted and the program is off, fits them to the inscribed circles of their images alone,
-/// and says what that is worth (ConvertResult::nearer). The result stays the fit to the whole lens.
+/// If cameras with wide lenses are fitted and the program's pixels are wrong, also fits them to the inscribed circles of their
+/// images and puts the resulting error into ConvertResult::nearer. The result remains the fit to the whole lens.
 void try_nearer_fit(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result);
 
 }  // namespace fca

@@ -8,8 +8,8 @@
 
 namespace fca {
 
-/// What the written lenses and poses (result.poses) do to the stereo pair among the cameras of the input. Nothing where there
-/// is none, or the files do not say how it sits.
+/// The errors that the written lenses and poses (result.poses) cause for the stereo pair among the input's cameras. nullopt if
+/// there is no pair, or the files do not contain its relative pose.
 [[nodiscard]] std::optional<PairError> pair_error_of(const Rig& input, const ConvertResult& result);
 
 }  // namespace fca

@@ -15,7 +15,7 @@ namespace fca {
 
 namespace {
 
-/// Nothing where the camera keeps its model.
+/// The camera's own fit, with which the fit of the pair starts; nullopt if the camera keeps its model.
 std::optional<SeparateFit> separate_fit(const ConvertedCamera& camera, const Format& to, const ModelChoice& choice) {
   const StoredModel* stored = find_stored_model(to, model_info(camera.target.model).id, false);
   if (!camera.report || stored == nullptr) return std::nullopt;
@@ -29,7 +29,7 @@ bool may_fit_pair(const ConvertRequest& request, const Format& to, Diagnostics& 
   const bool shares_lens = request.layout && request.layout->name() == to.common_lens_layout;
   const bool has_other_wishes = request.objective != Objective::kRms || request.weight != WeightKind::kPixel ||
                                 request.absorb_turn || request.fixed.any() || shares_lens;
-  // The poses of a base are those of cameras that are not turned.
+  // The poses of a base are for cameras that are not rotated.
   if (!has_other_wishes && request.into.empty()) return true;
   diagnostics.add(Code::kPairFitWithOthers);
   return false;

@@ -10,11 +10,11 @@
 
 namespace fca {
 
-/// May the pair be fitted together as the request is otherwise? False with an error: it would need no fit to say so.
+/// True if the request's other options allow a fit of the pair; otherwise false, with an error. Checked before any fit is made.
 [[nodiscard]] bool may_fit_pair(const ConvertRequest& request, const Format& to, Diagnostics& diagnostics);
 
-/// Where the request asks for it, fits the stereo pair among the cameras together (fca/convert/pair_fit.h), with a note of what
-/// that gains; false with an error where they are no pair.
+/// If the request asks for it, fits the stereo pair among the cameras together (fca/convert/pair_fit.h) and adds a note with
+/// the errors before and after. False, with an error, if there is no such pair.
 [[nodiscard]] bool fit_as_pair(const Rig& input, const Format& to, const ModelChoice& choice,
                                std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics);
 

@@ -41,14 +41,14 @@ constexpr std::string_view kArrow = " -> ";
 constexpr std::string_view kRms = ", rms ";
 constexpr std::string_view kKept = "the input's parameters";
 
-/// Is it a line that lines_for() makes?
+/// True for a line that lines_for() makes.
 bool is_ours(std::string_view line) {
   return line.starts_with(kFirstWords) || line.starts_with(kCommand) || line.find(kHash) != std::string_view::npos ||
          line.find(kKept) != std::string_view::npos ||
          (line.find(kArrow) != std::string_view::npos && line.find(kRms) != std::string_view::npos);
 }
 
-/// "cam0: ds -> kb4, rms 0.000232 px, max 0.00129 px up to 97.5 deg from the axis"
+/// The line of one camera: "cam0: ds -> kb4, rms 0.000232 px, max 0.00129 px up to 97.5 deg from the axis"
 std::string camera_line(const ConvertedCamera& camera, bool other_images) {
   const std::string from(camera.source.lens_id());
   const std::string to(camera.target.lens_id());
@@ -63,7 +63,7 @@ std::string camera_line(const ConvertedCamera& camera, bool other_images) {
          text::format_short(camera.report->scored_to_deg, 4) + " deg from the axis";
 }
 
-/// "camchain.yaml"; of several files of one name "cam0/sensor.yaml".
+/// The file's name, "camchain.yaml", with its folder, "cam0/sensor.yaml", if several documents have the same name.
 std::string name_among(const std::vector<text::Document>& documents, const text::Document& document) {
   const std::filesystem::path path = document.source().name;
   const auto same = std::ranges::count_if(documents, [&path](const text::Document& each) {
@@ -80,7 +80,7 @@ std::vector<std::string> lines_for(const Written::File& file, const ConvertReque
     const text::Source& source = document.source();
     lines.push_back("  " + name_among(calibration.documents, document) + std::string(kHash) + sha256(source.bytes));
   }
-  // The comment that the base had is replaced; its name and hash stay in the new one.
+  // The comment that the base had is replaced; its name and hash are in the new one.
   if (!request.into.empty()) {
     const std::string name = std::filesystem::path(request.into).filename().string();
     lines.push_back("  into " + name + std::string(kHash) + sha256(file.document.source().bytes));
@@ -107,7 +107,7 @@ void add_provenance(const ConvertRequest& request, const Calibration& calibratio
   for (Written::File& file : written.files) {
     if (file.of_defaults && file.programs.empty()) continue;  // a file of defaults that no program reads
     const bool of_base = !request.into.empty() || is_input(file.document, calibration);
-    // An old comment of ours describes the file before this edit: it is no longer true.
+    // A comment that fca-io wrote earlier describes the file before this edit: it is no longer true.
     const bool outdated = of_base && (file.document.edited() || in_none);
     const bool replaces = outdated && text::remove_top_comment(file.document, is_ours);
     if (in_none || (of_base && !in_all && !replaces)) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a written file comes from, as a comment in it.
+// The origin of a written file, as a comment in it.
 #pragma once
 
 #include <fca/formats/calibration.h>
@@ -7,10 +7,10 @@
 
 namespace fca {
 
-/// Adds to every written file that is to have it: the inputs with their SHA-256, the command, the version, and for each of its
-/// cameras what was fitted, over which domain, how well. Nothing that changes from run to run, no time. By default files that
-/// are composed anew have it; edited ones stay their owner's, but what such a comment said of the file as it was is replaced.
-/// Where the syntax has no comments none is written.
+/// Adds a comment to each written file that is to have one: the inputs with their SHA-256, the command, the version and, for
+/// each camera in the file, the fit with its domain and errors. It contains nothing that changes from run to run, such as the
+/// time. By default fresh files get it. Edited files do not, but an earlier comment of fca-io in them, which is no longer true,
+/// is replaced. Files whose syntax has no comments get none.
 void add_provenance(const ConvertRequest& request, const Calibration& calibration, Written& written, ConvertResult& result);
 
 }  // namespace fca

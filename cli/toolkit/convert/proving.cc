@@ -34,7 +34,7 @@ Message disagreement(const ProofResult& proof) {
   return {Code::kPixelsDiffer, {proof.max_diff_px}};
 }
 
-/// As the files that say `rig` were written to be read. What the input was told to be is no matter.
+/// The options with which a program must load the files written for `rig`. The options of the input do not apply to them.
 consumers::LoadOptions load_options(const Written& written, const Rig& rig) {
   ReadOptions reading;
   reading.opencv_model = written.opencv_model;
@@ -44,7 +44,8 @@ consumers::LoadOptions load_options(const Written& written, const Rig& rig) {
   return options;
 }
 
-/// The output's name, for a program that goes by it: where that one was asked for, and where it is the right one.
+/// The output's file name, for a program whose reading depends on it: if the request names that program, or if the name is the
+/// one that this program expects. Empty otherwise.
 std::string name_for(const consumers::Consumer& program, const ConvertedFile& output, const ConvertRequest& request) {
   const std::string_view right_name = program.writing.equidistant_file_name;
   if (right_name.empty()) return {};
@@ -52,7 +53,7 @@ std::string name_for(const consumers::Consumer& program, const ConvertedFile& ou
   return &program == request.program || name == right_name ? name : std::string();
 }
 
-/// The program's first reason not to load the bytes; none if it loads them.
+/// The first reason why the program does not load the bytes; nullopt if it loads them.
 std::optional<consumers::Complaint> first_refusal(const std::string& bytes, const std::string& program,
                                                   const consumers::LoadOptions& options, LoadedViews& views) {
   const consumers::Consumer* consumer = consumers::find_consumer(program);
@@ -61,7 +62,7 @@ std::optional<consumers::Complaint> first_refusal(const std::string& bytes, cons
   return view.loads() ? std::nullopt : std::optional(view.refusals.front());
 }
 
-/// Programs that load a file which `refusing` does not.
+/// Names of the programs that load a file correctly which `refusing` does not load.
 std::vector<std::string> other_readers(const consumers::Consumer& refusing, const ConvertedFile& file,
                                        const consumers::LoadOptions& options, LoadedViews& views) {
   std::vector<std::string> names;
@@ -74,8 +75,8 @@ std::vector<std::string> other_readers(const consumers::Consumer& refusing, cons
   return names;
 }
 
-/// Where the program's pixels are those of the model in the file, the fit's own figures are the distances, and more exact: a
-/// lattice of few points misses the errors at the edge of a steep lens.
+/// If the program sees the model as it is in the file, replaces the distances by the fit's error statistics. These are more
+/// exact: a lattice of few points misses the errors at the edge of a steep lens.
 void take_figures_of_fits(const std::vector<ConvertedCamera>& cameras, ProofResult& proof) {
   constexpr double kSamePx = 1e-3;
   constexpr double kSameShare = 0.02;
@@ -117,7 +118,7 @@ Message newly_refused(const Written& written, const Rig& rig, const text::Docume
 }
 
 bool mend_kept_text(const Format& format, const Rig& rig, Written& written, LoadedViews& views, Diagnostics& diagnostics) {
-  constexpr int kMostMends = 100;  // each is some runs of the program's reader
+  constexpr int kMostMends = 100;  // each takes several runs of the program's reader
   const consumers::LoadOptions options = load_options(written, rig);
   bool all_load = true;
   for (Written::File& file : written.files) {
@@ -154,7 +155,7 @@ bool mend_kept_text(const Format& format, const Rig& rig, Written& written, Load
 void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagnostics& diagnostics) {
   const std::size_t asked = calibration.with_cameras;
   const text::Source& source = calibration.documents[asked].source();
-  // Another file's cameras are none of this one's: it may hold poses alone.
+  // Only this file's own cameras count; it may contain only poses.
   const std::optional<Rig> own = calibration.documents.size() > 1 ? rig_alone(calibration, asked) : std::nullopt;
   const bool has_cameras = own ? !own->cameras.empty() : !calibration.rig.cameras.empty();
   const Message refusal = refused_by_all(calibration.format->id, source.bytes, has_cameras, load_options(read_options(inputs)));

@@ -15,7 +15,7 @@ namespace fca {
 
 namespace {
 
-/// The frame rate that a rig states; nothing where it states none.
+/// The frame rate of a rig's first camera [Hz]; nullopt if it has none.
 std::optional<double> frame_rate(const std::optional<Rig>& rig) {
   return rig && !rig->cameras.empty() ? rig->cameras.front().frame_rate_hz : std::nullopt;
 }
@@ -38,7 +38,8 @@ class SetFile {
     return document != nullptr && may_add_value(format_, *document, key);
   }
 
-  /// False with an error. `fps`: the frame rate that was asked for, which the setting leaves as it is.
+  /// Sets a key's value; false, with an error, if that fails. `fps`: the frame rate [Hz] that the request gives, which the
+  /// setting must not change.
   [[nodiscard]] bool set(const KeyValue& setting, std::optional<double> fps, Diagnostics& diagnostics) {
     if (!stated_) stated_ = as_stated(format_, file_.document, options_, diagnostics);
     if (!stated_) return false;
@@ -54,7 +55,7 @@ class SetFile {
   }
 
  private:
-  /// Null where the edits left no document.
+  /// The document as edited; null if the edits did not leave a valid document.
   [[nodiscard]] const text::Document* now() const {
     return file_.document.edited() ? file_.document.kept_edited() : &file_.document;
   }
@@ -62,7 +63,7 @@ class SetFile {
   const Format& format_;
   const ReadOptions& options_;
   Written::File& file_;
-  std::optional<StatedRig> stated_;  ///< Once something was set.
+  std::optional<StatedRig> stated_;  ///< nullopt until a value is set.
 };
 
 bool apply(const KeyValue& setting, std::optional<double> fps, std::vector<SetFile>& files, Diagnostics& diagnostics) {
@@ -81,8 +82,8 @@ bool apply(const KeyValue& setting, std::optional<double> fps, std::vector<SetFi
 bool apply_settings(const ConvertRequest& request, const Format& format, Written& written, Diagnostics& diagnostics) {
   if (request.settings.empty()) return true;
   ReadOptions options = read_options(request.inputs);
-  options.join = false;           // each file by itself
-  options.length_unit_m.reset();  // it is written in metres
+  options.join = false;           // each file is read alone
+  options.length_unit_m.reset();  // written files are in metres
   std::vector<SetFile> files;
   files.reserve(written.files.size());
   for (Written::File& file : written.files) files.emplace_back(format, options, file);

@@ -41,7 +41,7 @@ void list_facts_of_other_lenses(const Rig& base, const Rig& rig, const Format& f
   const bool same = std::ranges::equal(base.cameras, rig.cameras, {}, &Camera::model, &Camera::model) &&
                     base.poses == rig.poses && base.baseline_m == rig.baseline_m;
   if (same || format.of_the_lenses.empty()) return;
-  // What the writer knew to follow is no longer as the base had it.
+  // Only extra fields that the file still has with the same value are stale; others were updated by the writer.
   const std::optional<Rig>& now = written.files.front().says;
   Rig kept = base;
   std::erase_if(kept.extra_fields, [&now](const ExtraField& extra) {

@@ -30,7 +30,8 @@ CheckOptions check_options(const ConvertRequest& request, const Format* from) {
   return options;
 }
 
-/// Joined files rename cameras of one name. They come in the order of the files: `next` is where those of this one begin.
+/// Joining files renames cameras with equal names. Maps the names of one file's cameras to those in the joined rig. `next`: the
+/// index in `joined` at which this file's cameras begin; advanced past them.
 std::map<std::string, std::string> joined_names(const Rig& one, const std::vector<Camera>& joined, std::size_t& next) {
   std::map<std::string, std::string> names;
   for (const Camera& camera : one.cameras) {
@@ -50,8 +51,7 @@ void name_as_joined(const std::map<std::string, std::string>& names, Finding& fi
   if (joined != names.end()) *owner = joined->second;
 }
 
-/// What the checks find in the files, each by itself, before anything of them is changed. `diagnostics`: what their readers
-/// found in all of them.
+/// The findings of the checks in each input file, before any change. `diagnostics`: what the readers found in all files.
 std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRequest& request, const Format& to,
                                  const Diagnostics& diagnostics) {
   if (calibration.documents.size() == 1) {
@@ -63,13 +63,13 @@ std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRe
   for (std::size_t i = 0; i < calibration.documents.size(); ++i) {
     CheckOptions options = check_options(request, calibration.formats[i]);
     std::optional<Calibration> one = alone(calibration, i);
-    // A size that was given is for the files that state none.
+    // An image size in the request is only for files that contain none.
     if (one && !one->rig.cameras.empty() && one->rig.cameras.front().image_size) options.reading.image_size.reset();
     Diagnostics said_before;
     if (options.reading.image_size)
       one = read_calibration({calibration.documents[i]}, options.from, options.reading, said_before);
     if (!one) continue;
-    // What the readers found stands with the first.
+    // The readers' diagnostics are passed with the first file.
     std::vector<Finding> found =
         findings_about_meaning(calibration.documents[i], *one, i == 0 ? diagnostics : Diagnostics{}, options, to);
     const std::map<std::string, std::string> names = joined_names(one->rig, calibration.rig.cameras, next_camera);
@@ -79,7 +79,8 @@ std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRe
   return findings;
 }
 
-/// Nothing is written of a camera that the request leaves out, nor where a camera stands that is alone.
+/// Removes findings about cameras that are not converted and, if only one camera and no IMU is left, findings about poses: no
+/// pose is written then.
 void drop_findings_of_others(const std::vector<Camera>& read, const Rig& rig, std::vector<Finding>& findings) {
   const bool is_alone = rig.cameras.size() == 1 && rig.imus.empty();
   std::erase_if(findings, [&](const Finding& finding) {
@@ -91,8 +92,8 @@ void drop_findings_of_others(const std::vector<Camera>& read, const Rig& rig, st
   });
 }
 
-/// Of several cameras the stereo pair comes first where the target's program takes the first two for one. A choice of the
-/// user's stays, and a file of the target's own format says itself which cameras come first.
+/// Puts the stereo pair first if the target's program uses the first two cameras as a pair. A choice of cameras by the user,
+/// and the order in a file of the target's own format, are kept.
 void put_pair_first(const ConvertRequest& request, const Format& to, Calibration& input) {
   constexpr std::size_t kPair = 2;
   std::vector<Camera>& cameras = input.rig.cameras;
@@ -105,7 +106,7 @@ void put_pair_first(const ConvertRequest& request, const Format& to, Calibration
               cameras.begin() + static_cast<std::ptrdiff_t>(pair->second) + 1);
 }
 
-/// Of poses that contradict each other a fresh file gets those that agree, if one alone is wrong.
+/// If poses contradict each other and a single one explains that, removes it from the input. The fresh file gets the others.
 void leave_out_outvoted(Start& start, Diagnostics& diagnostics) {
   start.outvoted = outvoted_pose(start.rig_of_input);
   if (!start.outvoted) return;
@@ -150,7 +151,7 @@ bool read_start(const ConvertRequest& request, Files& files, Start& start, std::
   const std::vector<Camera> read = input->rig.cameras;
   const std::size_t before_choices = result.diagnostics.entries().size();
   if (!apply_choices(request.inputs, files, *input, result.diagnostics)) return false;
-  // Noise that is converted from what it was said to be is weighed as what it became.
+  // If imu_noise has converted the noise to a usual size, the findings about its former size no longer apply.
   if (request.inputs.imu_noise && std::ranges::all_of(input->rig.imus, has_usual_noise)) {
     std::erase_if(start.findings, [](const Finding& finding) {
       return finding.facts.code == Code::kImuNoiseTooSmall || finding.facts.code == Code::kImuNoiseTooLarge;

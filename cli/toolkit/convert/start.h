@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a conversion begins with: its input, and the base that it is written into.
+// The start of a conversion: its input, and the base that it edits.
 #pragma once
 
 #include "base.h"
@@ -18,20 +18,22 @@
 namespace fca {
 
 struct Start {
-  std::optional<Calibration> into;  ///< The request's base.
+  std::optional<Calibration> into;  ///< The file of --into; nullopt without one.
   Calibration input;
-  Base base;                      ///< Points into the two above.
-  std::vector<Finding> findings;  ///< About the meaning of the input.
-  Rig rig_of_input;  ///< Its cameras in the order of the file, and with the pose that was left out of `input`, if one was.
+  Base base;                      ///< Points into `into` or `input`.
+  std::vector<Finding> findings;  ///< Findings about the meaning of the input.
+  /// The input's rig with its cameras in the order of the file, and with the contradicting pose that `input` lacks.
+  Rig rig_of_input;
   std::optional<Contradiction> outvoted;
   std::unique_ptr<KnownConversions> known = std::make_unique<KnownConversions>();
   std::unique_ptr<LoadedViews> views = std::make_unique<LoadedViews>();
 };
 
-/// What was found since the input was read: warnings and errors. How good a fit is, the proofs say.
+/// Adds diagnostics as findings: warnings and errors, except those about poor fits, which the proofs cover.
 void add_findings(std::span<const Diagnostic> entries, std::vector<Finding>& findings);
 
-/// False with errors. `programs`: who reads the target gets ready meanwhile.
+/// Reads the input and the base; false with errors. `programs`: receives the thread that prepares the target's programs
+/// meanwhile.
 [[nodiscard]] bool read_start(const ConvertRequest& request, Files& files, Start& start, std::jthread& programs,
                               ConvertResult& result);
 

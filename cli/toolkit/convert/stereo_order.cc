@@ -10,7 +10,7 @@ namespace fca {
 
 namespace {
 
-/// The first two cameras the other way round, as the request names them; the others after them.
+/// The choice of cameras with the first two exchanged.
 std::vector<CameraChoice> swapped(const std::optional<std::vector<CameraChoice>>& cameras) {
   std::vector<CameraChoice> order = cameras.value_or(std::vector<CameraChoice>{{"0", 0}, {"1", 1}});
   std::swap(order[0], order[1]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which of two cameras is the left one.
+// Checks which camera of a pair is the left one.
 #pragma once
 
 #include <fca/rig/rig.h>
@@ -7,8 +7,9 @@
 
 namespace fca {
 
-/// A warning where the second camera sits on the left of the first one, and the first is to be the left one (`first_is_left`
-/// says why; empty: it is not). If exchanging them puts that right, the result's better_order does it.
+/// Adds a warning if the second camera is to the left of the first one although the first must be the left one.
+/// `first_is_left`: the reason for that; empty: it need not be. If exchanging the cameras solves it, sets the result's
+/// better_order.
 void warn_of_wrong_side(const Rig& rig, const ConvertRequest& request, const Message& first_is_left, ConvertResult& result);
 
 }  // namespace fca

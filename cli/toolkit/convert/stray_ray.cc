@@ -13,7 +13,7 @@ namespace fca {
 
 namespace {
 
-/// Infinite where the model has no pixel for the ray.
+/// The distance [px] between the entry's pixel and the model's; infinite if the model has none.
 double error_of(const CameraModel& model, const Correspondence& entry) {
   const std::optional<Pixel> pixel = project(model, entry.ray);
   if (!pixel) return std::numeric_limits<double>::infinity();
@@ -51,7 +51,7 @@ std::optional<Message> stray_ray(const ConvertedCamera& camera) {
   const auto of_fit = [&fit](const Correspondence& entry) { return error_of(fit->camera.model, entry); };
   const Correspondence& worst = *std::ranges::max_element(strays, {}, of_fit);
   const double off = of_fit(worst);
-  // A lens that the model describes badly ends in errors that grow, not in one that leaps.
+  // For a lens that the model describes badly, errors grow towards the edge; a single one does not exceed all others tenfold.
   constexpr double kLeap = 10.0;
   if (!(off > kLeap * std::max(fit->report.judgement.error.max, kSeenPx / kLeap))) return std::nullopt;
   if (!std::isfinite(off)) return Message{Code::kRayOutside, {camera.source.name, worst.pixel[0], worst.pixel[1]}};

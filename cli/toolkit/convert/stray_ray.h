@@ -8,8 +8,8 @@
 
 namespace fca {
 
-/// The worst of the few rays of a table that do not belong to it: a fit without them is far better for all others. Nothing
-/// where the table has none, or the camera is no table.
+/// A message about the worst of a few rays of a table that do not belong to it: a fit without them is far better for all
+/// others. nullopt if there are none, or the source is not a table.
 [[nodiscard]] std::optional<Message> stray_ray(const ConvertedCamera& camera);
 
 }  // namespace fca

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses of cameras whose frames were turned by their fits (ConversionReport::turn).
+// Poses of cameras whose frames were rotated by their fits (ConversionReport::turn).
 #pragma once
 
 #include <fca/toolkit/convert.h>
@@ -8,10 +8,11 @@
 
 namespace fca {
 
-/// States the poses, and a pair's rectification, in the cameras' new frames.
+/// Converts the poses, and a pair's rectification, to the cameras' rotated frames.
 void turn_poses(const std::vector<ConvertedCamera>& cameras, Rig& rig);
 
-/// Says which cameras were turned, which of those have no pose in the written files, and for which a turn would help.
+/// Adds notes about the cameras that were rotated, those of them that have no pose in the written files, and those that a
+/// rotation would improve.
 void tell_of_turns(const std::vector<PoseEdge>& written, const std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics);
 
 }  // namespace fca

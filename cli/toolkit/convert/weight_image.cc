@@ -21,7 +21,7 @@ GreyImage grey_of(const Image& image) {
   for (std::size_t i = 0; i < grey.samples.size(); ++i) {
     float sum = grey.samples[i];
     for (std::size_t colour = 1; colour < colours.size(); ++colour) sum += colours[colour].samples[i];
-    // Images of numbers may hold negative ones: nothing counts less than black.
+    // Images of real numbers may contain negative ones; these count as black.
     grey.samples[i] = std::max(0.0F, sum / static_cast<float>(colours.size()));
   }
   return grey;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The image by whose grey the pixels of a fit count.
+// The image whose grey values weight the pixels of a fit.
 #pragma once
 
 #include <fca/rig/rig.h>
@@ -7,8 +7,8 @@
 
 namespace fca {
 
-/// Reads request.weight_image into request.density, where the request is for one: the mean of an image's colours. False with an
-/// error where it is no image, not as large as the images of each of the rig's cameras, or black.
+/// If the request weights by an image, reads request.weight_image into request.density, as the mean of the colours. False, with
+/// an error, if it is not an image, is black, or has not the size of each camera's images.
 [[nodiscard]] bool read_weight_image(const Rig& rig, Files& files, ConvertRequest& request, Diagnostics& diagnostics);
 
 }  // namespace fca

@@ -9,7 +9,7 @@ namespace fca {
 
 namespace {
 
-/// What a request may state and not every format has.
+/// An option of a request that not every format has a use for.
 struct Statement {
   Code useless;
   bool (*is_made)(const ConvertRequest&);

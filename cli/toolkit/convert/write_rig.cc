@@ -39,7 +39,7 @@ std::optional<Written> write_rig(const Calibration& source, const Rig& rig, cons
     if (request.inputs.change.changes_nothing())
       each = write_each_into_its_own(source, rig, *result.to, options, result.diagnostics);
     if (each || result.diagnostics.has_errors()) return each;
-    // The first file may be edited; the others' text is gone in any case.
+    // The first file may be edited; the text of the others is lost in any case.
     if (source.format == result.to) options.joined = std::span(source.documents).subspan(base.document != nullptr ? 1 : 0);
   }
   std::optional<Written> written = write_calibration(*result.to, base.document, rig, options, result.diagnostics);
@@ -48,8 +48,8 @@ std::optional<Written> write_rig(const Calibration& source, const Rig& rig, cons
   const bool loads = (edited || base.into != nullptr) && mend_kept_text(*result.to, rig, *written, views, result.diagnostics);
   if (loads || keeps_text(request, base)) return written;
   const bool asked_for = !options.layout.empty() || edited;
-  // An input is to become a file that the program reads: OpenVINS' first line in a camchain is no base for Kalibr. A file that
-  // is written into is its owner's, who has another program for it.
+  // The program must be able to read what an input becomes: a camchain with the first line that OpenVINS needs is no base for
+  // Kalibr. A file of --into belongs to the user, who may have another program for it.
   const text::Document* owners = base.into != nullptr ? base.document : nullptr;
   const Message refusal = asked_for ? newly_refused(*written, rig, owners, views) : Message{};
   if (!refusal.is_said()) return written;

@@ -6,8 +6,8 @@
 
 namespace fca {
 
-/// Writes the rig in memory: into the base, or a fresh file where its program would refuse what the base's own layout makes of
-/// it. `replaced`: names of the base's cameras whose place another camera takes.
+/// Writes the rig in memory: into the base, or as a fresh file if the program would refuse the edited base. `replaced`: names
+/// of the base's cameras that another camera replaces.
 [[nodiscard]] std::optional<Written> write_rig(const Calibration& source, const Rig& rig, const Base& base,
                                                const ConvertRequest& request, std::vector<std::string> replaced,
                                                LoadedViews& views, ConvertResult& result);

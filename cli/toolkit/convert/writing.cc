@@ -41,7 +41,7 @@ Rig converted_rig(const Calibration& calibration, const std::vector<ConvertedCam
   return rig;
 }
 
-/// The rig that a proof has to find in the files: `rig`, with the poses that were written with other values on purpose.
+/// The rig that a proof must find in the files: `rig`, except for poses that were deliberately written with other values.
 Rig as_restated(Rig rig, const Written& written) {
   for (const PoseEdge& edge : written.restated) {
     const auto stated =
@@ -55,8 +55,8 @@ Rig as_restated(Rig rig, const Written& written) {
   return rig;
 }
 
-/// Adds to each fitted camera's report the table of smaller angles: how good the fit would be if the lens ended earlier. Only
-/// of lenses whose angle no input gives.
+/// Adds the table of smaller angles to each fitted camera's report: how good the fit would be if the lens ended earlier. Only
+/// for lenses whose angle no input gives.
 void add_reach(const Format& to, const ModelChoice& choice, std::vector<ConvertedCamera>& cameras) {
   parallel_for(cameras.size(), choice.request.jobs, [&](std::size_t i) {
     ConvertedCamera& camera = cameras[i];
@@ -67,7 +67,7 @@ void add_reach(const Format& to, const ModelChoice& choice, std::vector<Converte
   });
 }
 
-/// The calibration's own uncertainty beside the error of each conversion.
+/// Adds the uncertainty of the calibration to the report of each conversion.
 void add_uncertainties(const Rig& rig, const ConvertRequest& request, std::vector<ConvertedCamera>& cameras) {
   parallel_for(cameras.size(), request.jobs, [&](std::size_t i) {
     ConvertedCamera& camera = cameras[i];
@@ -87,7 +87,7 @@ const text::Document* input_of(const ConvertedFile& output, const Written& writt
   return input == calibration.documents.end() ? nullptr : &*input;
 }
 
-/// Ids of the format's models that the program takes; empty: all.
+/// Ids of the format's models that the program accepts; empty: all.
 std::vector<std::string> taken_by(const consumers::Consumer& program, const Format& format) {
   std::vector<std::string> models;
   const auto& taken = program.writing.models_taken;
@@ -97,8 +97,8 @@ std::vector<std::string> taken_by(const consumers::Consumer& program, const Form
   return models;
 }
 
-/// Makes `program` the first of those that read the files with cameras (the one that the proof asks first), gives the files the
-/// names by which it reads their lens, and names it in the headline.
+/// Makes `program` the first program of the files with cameras (the proof asks it first), gives the files the names by which it
+/// recognises their lens, and names it in the headline.
 void put_first(const consumers::Consumer& program, const Rig& rig, Written& written) {
   bool is_new = false;
   for (Written::File& file : written.files) {
@@ -112,7 +112,7 @@ void put_first(const consumers::Consumer& program, const Rig& rig, Written& writ
     if (camera == nullptr || program.writing.equidistant_file_name.empty() || model_info(camera->model).id != "kb4") continue;
     file.place = std::filesystem::path(file.place).replace_filename(program.writing.equidistant_file_name).string();
   }
-  const bool goes_by_name = !program.writing.equidistant_file_name.empty();  // where others of the format do not
+  const bool goes_by_name = !program.writing.equidistant_file_name.empty();  // other programs of the format ignore the name
   if (is_new || goes_by_name) written.headline = {Code::kHeadlineAsRead, {written.headline, program.program}};
 }
 
@@ -141,7 +141,7 @@ class Writing {
   [[nodiscard]] bool put_together();
   /// Fills written_: the format's files and what the user must know of them.
   [[nodiscard]] bool write();
-  /// Takes written_ over into result_ and gives each file its path.
+  /// Moves written_ into result_ and gives each file its path.
   [[nodiscard]] bool place();
   /// Asks the programs' readers about each file.
   void prove();
@@ -153,8 +153,8 @@ class Writing {
   ModelChoice choice_;
   LoadedViews& views_;
   ConvertResult& result_;
-  Rig rig_;    ///< What is written.
-  Kept kept_;  ///< Of the base.
+  Rig rig_;    ///< The rig to write.
+  Kept kept_;  ///< What remains of the base.
   Written written_;
 };
 
@@ -220,7 +220,7 @@ bool Writing::place() {
                              file.programs, file.named, file.place, file.of_defaults});
   }
   if (!place_files(request_, result_)) return false;
-  // Cameras that no file holds are among the losses already. Their fits are not reported.
+  // Cameras that no file contains are listed as losses; their fits are not reported.
   std::erase_if(result_.cameras, [this](const ConvertedCamera& camera) {
     return std::ranges::none_of(result_.files, [&camera](const ConvertedFile& file) {
       return std::ranges::find(file.cameras, camera.source.name) != file.cameras.end();
@@ -230,7 +230,7 @@ bool Writing::place() {
 }
 
 void Writing::prove() {
-  const bool edits_it = base_.document != nullptr && base_.into == nullptr;  // then the proof says so
+  const bool edits_it = base_.document != nullptr && base_.into == nullptr;  // then the proof reports it
   if (request_.in_detail && !edits_it) warn_if_refused(input_, request_.inputs, result_.diagnostics);
   const Rig meant = as_restated(rig_, written_);
   for (const ConvertedFile& file : result_.files) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One way to write what was read: a model, a mode, a layout.
+// Writes the input in one way: with one model, mode and layout.
 #pragma once
 
 #include "choose_model.h"
@@ -7,10 +7,10 @@
 
 namespace fca {
 
-/// Which models the cameras may take, as the request, the base and the input allow.
+/// The models that the cameras may take, as request, base and input allow.
 [[nodiscard]] ModelChoice choice_of(const ConvertRequest& request, const Start& start, const Format& to);
 
-/// Fits, writes in memory, places and proves it, into the result; false with errors.
+/// Fits the cameras, writes the files in memory, gives them paths and proves them. Fills `result`; false with errors.
 [[nodiscard]] bool write_as_asked(const ConvertRequest& request, const Start& start, ConvertResult& result,
                                   Partial partial = Partial::kCone);
 

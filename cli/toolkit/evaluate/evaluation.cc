@@ -30,14 +30,14 @@ Camera camera_of(std::string name, const ImageSize& size, const CameraModel& mod
   return camera;
 }
 
-/// A conversion judged on every pixel, and how long sampling and fit take.
+/// A conversion evaluated on every pixel, and the time of sampling and fit.
 struct TimedConversion {
   Conversion conversion;
   double time_us = 0.0;
 };
 
 std::optional<TimedConversion> timed_conversion(const Camera& camera, ConvertOptions options, Diagnostics& diagnostics) {
-  // The first runs warm the caches, and other processes disturb some.
+  // The median of several runs: the first ones warm the caches, and other processes disturb some.
   constexpr std::size_t kRuns = 7;
   std::array<double, kRuns> times{};
   options.bound = false;
@@ -81,7 +81,8 @@ std::optional<EvaluatedRow> evaluate_row(const paper::ConversionTable& table, co
   }
 
   options.model = row.to.id;
-  if (const int least = find_model(options.model)->least_degree; least > 0) options.degree = least;  // as the paper's toolbox
+  // As in the paper's toolbox.
+  if (const int least = find_model(options.model)->least_degree; least > 0) options.degree = least;
   std::optional<TimedConversion> timed = timed_conversion(source, options, diagnostics);
   const std::optional<Domain> domain = domain_of(source, options.max_angle_rad, diagnostics);
   const CameraModel* truth = paper::calibration_in(table, row.to);
@@ -94,12 +95,12 @@ std::optional<EvaluatedRow> evaluate_row(const paper::ConversionTable& table, co
   return result;
 }
 
-/// Root of the mean square of the three differences.
+/// The rms of the differences of the three coefficients.
 double rmse(const paper::Polynomial& a, const paper::Polynomial& b) {
   return std::sqrt(((a.a0 - b.a0) * (a.a0 - b.a0) + (a.a1 - b.a1) * (a.a1 - b.a1) + (a.a2 - b.a2) * (a.a2 - b.a2)) / 3.0);
 }
 
-/// What is left free of OCamCalib's parameters, and how far the lens is taken to reach.
+/// A fit of OCamCalib: the parameters that are held, and the largest angle of the lens; nullopt: the whole image.
 struct PolynomialFit {
   std::string_view method;
   std::optional<double> max_angle_deg;
@@ -116,9 +117,10 @@ std::vector<PolynomialFit> polynomial_fits() {
           {"fca-io, degree 4", std::nullopt, {}}};
 }
 
-/// With gamma = f / (1 - alpha), m = r / gamma and k = (xi + sqrt(1 + (1 - xi^2) m^2)) / (1 + m^2), the ray of UCM is
-/// (k m, k - xi), its height over r is a(r) = gamma (1 - xi / k), and its curvature on the axis follows from
-/// k = (1 + xi) (1 - (1 + xi) m^2 / 2 + ...). With 1 - m^2 below, k = (1 + xi) (1 + (3 - xi) m^2 / 2 + ...).
+/// The coefficient a2 of OCamCalib's polynomial a(r) for a UCM lens, right and by the authors' unprojection. With gamma = f /
+/// (1 - alpha), m = r / gamma and k = (xi + sqrt(1 + (1 - xi^2) m^2)) / (1 + m^2), the ray of UCM is (k m, k - xi) and its
+/// height over r is a(r) = gamma (1 - xi / k). Its curvature on the axis follows from k = (1 + xi) (1 - (1 + xi) m^2 / 2 +
+/// ...). With the denominator 1 - m^2, as the authors have it, k = (1 + xi) (1 + (3 - xi) m^2 / 2 + ...).
 SignError sign_error(const Intrinsics<Ucm>& ucm) {
   const double alpha = parameter(ucm, "alpha").value();
   const double focal = 0.5 * (parameter(ucm, "fx").value() + parameter(ucm, "fy").value());
@@ -179,7 +181,7 @@ std::optional<ConversionReport> evaluate_slam_camera(Diagnostics& diagnostics) {
   return conversion ? std::optional(conversion->report) : std::nullopt;
 }
 
-/// The cameras are ours: one that cannot be converted is a bug.
+/// Adds the paper's tables. Their cameras are constants in paper_tables.cc: if one cannot be converted, that is a bug.
 void add_tables(EvaluateResult& result) {
   constexpr const char* kBug = "a camera of the paper cannot be converted";
   for (paper::ConversionTable& table : paper::conversion_tables()) {

@@ -15,13 +15,13 @@ namespace {
 
 constexpr int kNothing = -1;
 
-/// Of each pixel of a painted image the pixel that has its colour, or kNothing: it stayed black.
+/// For each pixel of the painted image, the index of the image's pixel whose colour it has; kNothing: it stays black.
 std::vector<int> painted(int width, int height, const Placement& place) {
   // A filled circle of radius 1.
   constexpr std::array<std::array<int, 2>, 5> kDisc = {{{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
   std::vector<int> origin(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kNothing);
   const auto inside = [](double value, int end) { return value >= 0.0 && value < end; };
-  // Column by column: of discs that overlap the last one is seen.
+  // Column by column, as the authors' program: where discs overlap, the last one is visible.
   for (int u = 0; u < width; ++u) {
     for (int v = 0; v < height; ++v) {
       const std::optional<Pixel> to = place({static_cast<double>(u), static_cast<double>(v)});
@@ -38,7 +38,7 @@ std::vector<int> painted(int width, int height, const Placement& place) {
   return origin;
 }
 
-/// 8-bit samples.
+/// The painted image, with 8-bit samples.
 GreyImage repainted(const GreyImage& image, const std::vector<int>& origin) {
   constexpr float kFullScale = 255.0F;
   GreyImage result{image.width, image.height, kFullScale, std::vector<float>(origin.size(), 0.0F)};
@@ -49,9 +49,9 @@ GreyImage repainted(const GreyImage& image, const std::vector<int>& origin) {
   return result;
 }
 
-/// Which pixels have a grey level that is not 0 in 8 bits.
+/// True for each pixel whose grey level, rounded to 8 bits, is not 0.
 std::vector<bool> lit(const std::vector<GreyImage>& colours) {
-  constexpr std::array<double, 3> kShares = {0.114, 0.587, 0.299};  // of blue, green and red
+  constexpr std::array<double, 3> kShares = {0.114, 0.587, 0.299};  // weights of blue, green and red
   std::vector<bool> result;
   for (std::size_t i = 0; i < colours.front().samples.size(); ++i) {
     double grey = 0.0;
@@ -62,7 +62,7 @@ std::vector<bool> lit(const std::vector<GreyImage>& colours) {
   return result;
 }
 
-/// Weights of a Gaussian of 11 pixels with standard deviation 1.5 along rows and columns; beyond the border the image is
+/// Blurs with a Gaussian of 11 pixels and standard deviation 1.5 px along rows and columns. Beyond the border the image is
 /// mirrored about its last pixel.
 class Blur {
  public:
@@ -109,7 +109,7 @@ std::vector<double> product(const std::vector<double>& a, const std::vector<doub
   return result;
 }
 
-/// The mean over all pixels, black ones too.
+/// The mean SSIM over all pixels, including black ones.
 double mean_ssim(const GreyImage& one, const GreyImage& other) {
   constexpr double kC1 = 6.5025;
   constexpr double kC2 = 58.5225;
@@ -136,7 +136,7 @@ double mean_ssim(const GreyImage& one, const GreyImage& other) {
   return sum / static_cast<double>(a.size());
 }
 
-/// Of the first colour, over the pixels that are lit in both; 0 where nothing differs.
+/// The PSNR [dB] of the first colour, over the pixels that are not black in both images; 0 if nothing differs.
 double psnr(const std::vector<GreyImage>& one, const std::vector<GreyImage>& other) {
   const std::vector<bool> lit_in_one = lit(one);
   const std::vector<bool> lit_in_other = lit(other);

@@ -17,7 +17,8 @@ constexpr Model kDs{"DS", Ds::kId};
 constexpr Model kRt{"RT", Radtan::kId};
 constexpr Model kOcc{"OCC", Ocamcalib::kId};
 
-/// OCamCalib as the paper writes it (sec. II-E): (u, v) = [c d; e 1] (m_x, m_y) + (cx, cy), m_z = a0 + ... + a4 r^4 ahead.
+/// OCamCalib's parameters as the paper defines them (sec. II-E): (u, v) = [c d; e 1] (m_x, m_y) + (cx, cy), m_z = a0 + ... + a4
+/// r^4, positive in front of the camera.
 struct OccParameters {
   static constexpr std::size_t kTerms = 5;
   double c = 1.0;

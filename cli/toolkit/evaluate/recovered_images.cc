@@ -21,14 +21,15 @@ namespace fca {
 
 namespace {
 
-/// The place in the source's image that a pixel of the target's shows; nothing where a model has none, or beyond the limit.
+/// The position in the source's image of what a pixel of the target's image shows; nullopt if a model has no ray or pixel, or
+/// the ray is beyond the limit.
 std::optional<Pixel> looked_up(const EvaluatedRow& row, std::optional<double> limit_rad, const Pixel& pixel) {
   const std::optional<Ray> ray = unproject(row.conversion.camera.model, pixel);
   if (!ray || (limit_rad && angle_from_axis(*ray) > *limit_rad)) return std::nullopt;
   return project(row.source, *ray);
 }
 
-/// An image's colours as the target would have taken them, and where it is known (255, else 0).
+/// An image's colours as the target camera would have taken them. `mask`: 255 where they are known, otherwise 0.
 struct Recovered {
   std::vector<GreyImage> colours;
   std::vector<std::uint8_t> mask;
@@ -54,7 +55,7 @@ Recovered recovered(const std::vector<GreyImage>& original, const EvaluatedTable
   return result;
 }
 
-/// The mean over the colours.
+/// The mean PSNR and SSIM over the colours.
 RecoveredImage compared(const std::vector<GreyImage>& before, const Recovered& after) {
   const auto colours = static_cast<double>(before.size());
   RecoveredImage result;
@@ -69,7 +70,7 @@ RecoveredImage compared(const std::vector<GreyImage>& before, const Recovered& a
   return result;
 }
 
-/// Levels of 8 bits: colour by colour the value that `level_at(colour, pixel)` gives.
+/// An 8-bit image whose levels are `level_at(colour, pixel)`.
 template <class Levels>
 Image picture_of(const std::vector<GreyImage>& like, const Levels& level_at) {
   constexpr double kWhite = 255.0;
@@ -97,7 +98,7 @@ RecoveredPictures pictures_of(const std::vector<GreyImage>& before, const Recove
           })};
 }
 
-/// A pixel's ray in the source's model, and its place in the target's.
+/// Maps a pixel of the source to the target's pixel of the same ray.
 Placement placement_of(const EvaluatedRow& row) {
   return [&row](const Pixel& pixel) -> std::optional<Pixel> {
     const std::optional<Ray> ray = unproject(row.source, pixel);

@@ -7,8 +7,8 @@
 
 namespace fca {
 
-/// Fills what rows have of an image in those tables of `evaluation` whose published images have the size of the request's.
-/// False, with an error, where the image cannot be read, or where no table has that size.
+/// Fills the image statistics of the rows in those tables of `evaluation` whose published images have the size of the request's
+/// image. False, with an error, if the image cannot be read or no table has that size.
 [[nodiscard]] bool add_recovered_images(const EvaluateRequest& request, Files& files, EvaluateResult& evaluation);
 
 }  // namespace fca

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array kCounts = {10, 30, 100, 300, 1000, 3000, 10'000};
 
-/// The first run warms the caches, and other processes disturb some.
+/// The fastest of several runs counts: the first one warms the caches, and other processes disturb some.
 constexpr std::size_t kRuns = 3;
 
 std::optional<SweepPoint> point_of(const Camera& source, const EvaluatedRow& row, const CameraModel& truth, int samples) {

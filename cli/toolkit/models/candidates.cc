@@ -15,7 +15,7 @@ namespace fca {
 
 namespace {
 
-/// Who stores these very numbers, and who demands others.
+/// The formats that have the model, each with the reason if it cannot store these parameters.
 std::vector<StoringFormat> stored_by(const CameraModel& model) {
   std::vector<StoringFormat> formats;
   for (const Format& format : written_formats()) {
@@ -27,12 +27,12 @@ std::vector<StoringFormat> stored_by(const CameraModel& model) {
   return formats;
 }
 
-/// Nobody would notice the fit to the whole lens, in the region that decides.
+/// True if the fit covers the whole lens, with errors in the decisive region so small that nobody notices them.
 bool is_good_as_whole(const Candidate& candidate) {
   return !candidate.conversion->report.fitted_to_cone && word_of(candidate.distance.decisive()) == VerdictWord::kReady;
 }
 
-/// An exact one that is the camera's own before one that contains it.
+/// True if `a` is the better choice. Exact conversions come first, and among these the camera's own model.
 bool is_better_choice(const Candidate& a, const Candidate& b) {
   const ConversionReport& of_a = a.conversion->report;
   const ConversionReport& of_b = b.conversion->report;
@@ -40,19 +40,19 @@ bool is_better_choice(const Candidate& a, const Candidate& b) {
   if (of_a.exact) return of_a.from_model == of_a.to_model && of_b.from_model != of_b.to_model;
   if (reaches_all(a) != reaches_all(b)) return reaches_all(a);
   if (!reaches_all(a)) return is_better(of_a, of_b);
-  // A good fit to the whole lens before one to a part of it.
+  // A good fit to the whole lens comes before a fit to a part of it.
   if (is_good_as_whole(a) != is_good_as_whole(b)) return is_good_as_whole(a);
   return a.decisive().rms < b.decisive().rms;
 }
 
-/// The model in place of a program that reads a file of it.
+/// The distance of `model` from the camera, as if it were the camera that a program reads from a file.
 CameraDistance distance_to(const Camera& camera, const CameraModel& model, std::optional<double> max_angle_rad) {
   consumers::ConsumerCamera reader;
   reader.project = [&model](const Ray& ray) { return project(model, ray); };
   return distance_of(camera, model, reader, {.asked = max_angle_rad.value_or(std::numbers::pi)});
 }
 
-/// The model of that conversion fitted once more, to the circle alone. Nothing where there is nothing to gain.
+/// The candidate's model fitted again, only to the inscribed circle of the image; nullopt if that gains nothing.
 std::optional<CircleFit> fitted_in_circle(const Camera& camera, const Candidate& candidate) {
   const std::optional<double> degrees = degrees_in_circle(camera);
   if (!degrees || !candidate.distance.is_wide || is_good_as_whole(candidate)) return std::nullopt;
@@ -134,7 +134,7 @@ const Candidate* recommended_beside(const std::vector<Candidate>& candidates, co
 std::optional<std::vector<ModelsResult::OfCamera>> compare_models(const std::vector<Camera>& cameras,
                                                                   std::optional<double> max_angle_rad,
                                                                   Diagnostics& diagnostics) {
-  // What no model could help is told once, not once per model.
+  // Errors that concern every model are reported once, here.
   bool all_have_domains = true;
   for (const Camera& camera : cameras)
     all_have_domains = domain_of(camera, max_angle_rad, diagnostics).has_value() && all_have_domains;

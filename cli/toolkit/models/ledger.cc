@@ -13,7 +13,7 @@ namespace fca {
 
 namespace {
 
-/// A fact that some formats have a place for.
+/// A fact that some formats can hold.
 struct Fact {
   bool Format::*held;
   Code name;
@@ -29,9 +29,10 @@ constexpr std::array kFacts = {
     Fact{&Format::baseline, Code::kLedgerBaseline},
 };
 
-/// A value that the target's program demands: made up only for what the source holds, and where the source does not state it.
+/// True if the target's program needs a default for that value: the source's files may contain what it belongs to, but not the
+/// value itself.
 bool is_made_up(const Demand& demand, const Format& from, const Format& to) {
-  // Where there is no other model, everything becomes that one.
+  // If the target has only one model, every camera becomes that one.
   const bool beside_others = !demand.of_model.empty() && to.models.size() > 1;
   if (beside_others && find_stored_model(from, demand.of_model, true) == nullptr) return false;
   if (demand.of != nullptr && !(from.*demand.of)) return false;
@@ -42,7 +43,7 @@ bool is_made_up(const Demand& demand, const Format& from, const Format& to) {
   return computed_anew || std::ranges::find(from.demands, demand.name, &Demand::name) == from.demands.end();
 }
 
-/// What the target demands of a model's parameters and the source does not.
+/// The ranges that the target requires of a model's parameters and the source does not.
 std::vector<ParameterRange> limits(const StoredModel& from, const StoredModel& to) {
   std::vector<ParameterRange> result;
   std::ranges::copy_if(to.ranges, std::back_inserter(result), [&from](const ParameterRange& range) {
@@ -51,7 +52,7 @@ std::vector<ParameterRange> limits(const StoredModel& from, const StoredModel& t
   return result;
 }
 
-/// Is every model of the source stored as it is, and as many of its cameras as there are?
+/// True if the target stores every model of the source unchanged, for any number of cameras.
 bool holds_all_models(const Format& from, const Format& to) {
   return std::ranges::all_of(from.models, [&to](const StoredModel& stored) {
     const StoredModel* there = find_stored_model(to, stored.model, true);
@@ -59,7 +60,7 @@ bool holds_all_models(const Format& from, const Format& to) {
   });
 }
 
-/// Are the limits of parameters that the target's model does not have: k3 = 0?
+/// True if each range is a single value: the target's model lacks these parameters (k3 = 0).
 bool are_of_missing_parameters(const std::vector<ParameterRange>& ranges) {
   return std::ranges::all_of(ranges, [](const ParameterRange& range) { return range.lower == range.upper; });
 }
@@ -72,7 +73,7 @@ const StoredModel* container_of(const StoredModel& from, const Format& to) {
   return outer == to.models.end() ? nullptr : &*outer;
 }
 
-/// How a model stays exact: as it is, within limits, as a model that contains it; nothing where it is fitted.
+/// How a model is converted exactly: unchanged, within ranges, or as a model that contains it; nullopt if it is fitted.
 std::optional<LedgerModel> as_exact(const StoredModel& from, const Format& to) {
   const StoredModel* outer = container_of(from, to);
   const std::string_view as = outer != nullptr ? outer->model : std::string_view();
@@ -84,7 +85,7 @@ std::optional<LedgerModel> as_exact(const StoredModel& from, const Format& to) {
   return outer != nullptr ? std::optional(LedgerModel{from.model, as}) : std::nullopt;
 }
 
-/// The limits beyond which a model has to be fitted, though the target has it.
+/// The ranges outside which a model must be fitted although the target has it.
 std::vector<ParameterRange> limits_of_exact(const StoredModel& from, const Format& to) {
   const StoredModel* there = find_stored_model(to, from.model, true);
   std::vector<ParameterRange> ranges = there != nullptr ? limits(from, *there) : std::vector<ParameterRange>();
@@ -103,7 +104,7 @@ void list_models(const Format& from, const Format& to, LedgerRow& row) {
   }
 }
 
-/// What a model costs whose files hold one camera or a pair.
+/// Lists what is lost if a camera becomes a model whose files hold one camera or a pair.
 void list_lost_to_pairs(const Format& from, const Format& to, std::vector<Message>& dropped) {
   if (!from.many_cameras || from.most_cameras <= 2 || holds_all_models(from, to)) return;
   for (const StoredModel& stored : to.models) {
@@ -117,12 +118,13 @@ std::vector<Message> dropped(const Format& from, const Format& to) {
   std::vector<Message> result;
   const bool states_imu = from.imu || from.imu_pose;
   for (const Fact& fact : kFacts) {
-    // A file of one camera states no pose but that in its frame; where that is the IMU, those between cameras follow.
+    // A file of one camera contains only its pose in the format's frame. If that frame is the IMU, poses between cameras follow
+    // from it.
     const bool is_held = fact.held == &Format::imu ? states_imu : from.*fact.held;
     const bool states_it = is_held && (fact.held != &Format::extrinsics || from.many_cameras || states_imu);
     if (states_it && !(to.*fact.held)) result.push_back({fact.name});
   }
-  // Files of one camera each are as many as one likes: they can be joined.
+  // Files of one camera each can be joined, so that their number is not limited.
   if (to.many_cameras && from.most_cameras > to.most_cameras) result.push_back({Code::kLedgerCamerasBeyond, {to.most_cameras}});
   list_lost_to_pairs(from, to, result);
   if (to.pair_poses && to.most_cameras > 2 && from.extrinsics && from.many_cameras && from.most_cameras > 2)
@@ -159,7 +161,7 @@ LedgerRow row(const Format& from, const Format& to) {
 std::vector<LedgerRow> ledger() {
   std::vector<LedgerRow> rows;
   for (const Format& from : all_formats()) {
-    if (from.models.empty()) continue;  // rays are of no model
+    if (from.models.empty()) continue;  // a table of rays has no model
     for (const Format& to : written_formats()) {
       if (&from != &to) rows.push_back(row(from, to));
     }

@@ -51,10 +51,10 @@ std::optional<ConversionReport> report_as(const StoredModel& stored, const Camer
   return conversion ? std::optional(std::move(conversion->report)) : std::nullopt;
 }
 
-/// Of the camera as those models, what is better than `than`; the best first.
+/// The conversions of the camera to `models` that are better than `than`, the best first.
 std::vector<ConversionReport> better_ones(const Camera& camera, const ConversionReport& than, const ModelChoice& choice,
                                           const std::vector<StoredModel>& models) {
-  constexpr double kOfUse = 2.0;  // px: such a file is not to be used
+  constexpr double kOfUse = 2.0;  // px; with a larger error a file is not to be used
   std::vector<ConversionReport> result;
   for (const StoredModel& stored : models) {
     std::optional<ConversionReport> report = report_as(stored, camera, choice, Objective::kRms);
@@ -64,7 +64,7 @@ std::vector<ConversionReport> better_ones(const Camera& camera, const Conversion
   return result;
 }
 
-/// The report of the camera that the model fits worst; nothing if it fits one of them not at all.
+/// The report of the camera that the model fits worst; nullopt if the fit of one camera fails.
 std::optional<ConversionReport> worst_report(const StoredModel& stored, std::span<const Camera> cameras,
                                              const ModelChoice& choice) {
   std::optional<ConversionReport> worst;
@@ -96,7 +96,7 @@ Message better_models(const Camera& camera, const ConversionReport& report, cons
   std::vector<StoredModel> elsewhere;
   for (const ModelInfo& model : all_models()) {
     const StoredModel* stored = find_stored_model(format, model.id, true);
-    // The camera's own model is always a choice, another file's peculiarity (kept_only) is not.
+    // The camera's own model may always be suggested; a model that only files of one format have (kept_only) may not.
     if (model.id == report.to_model || (model.kept_only && model.id != report.from_model)) continue;
     const bool may_be_chosen = choice.among.empty() || std::ranges::find(choice.among, model.id) != choice.among.end();
     if (stored != nullptr && may_be_chosen) {

@@ -52,7 +52,7 @@ const consumers::Consumer* find_program(std::string_view typed) {
 }
 
 const consumers::Consumer& reader_of(const consumers::Consumer& program, bool with_cameras) {
-  if (!program.cameras || with_cameras) return program;  // its reader of files without cameras was asked for by name
+  if (!program.cameras || with_cameras) return program;  // the user named its reader of files without cameras
   const auto all = consumers::all_consumers();
   const auto other = std::ranges::find_if(all, [&](const consumers::Consumer& each) {
     return each.format == program.format && each.other_syntax == program.other_syntax && each.cameras == with_cameras;

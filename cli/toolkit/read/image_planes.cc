@@ -31,7 +31,8 @@ float sample_at(const Image& image, std::size_t index) {
   return std::isfinite(value) ? value : 0.0F;
 }
 
-/// Numbers have no largest: the image's own, at least 1. Sensors of 10, 12 or 14 bits come as 16, mostly with zeros in front.
+/// The level of white. Floating-point samples have no largest value: the image's own is taken, at least 1. Sensors of 10, 12 or
+/// 14 bits deliver 16-bit samples whose high bits are mostly 0.
 float full_scale_of(const Image& image, const std::vector<GreyImage>& planes) {
   if (image.sample == Image::Sample::k8Bit) return 255.0F;
   float largest = 1.0F;

@@ -9,8 +9,8 @@
 
 namespace fca {
 
-/// An image's colours, each as an image of its own; opacity is none. What is no number counts as black. The full scale of
-/// 16-bit samples is that of the least of 10, 12, 14 and 16 bits which holds them all.
+/// An image's colours as separate images, without an opacity channel. NaN and infinite samples become black. The full scale of
+/// 16-bit samples is the smallest of 10, 12, 14 and 16 bits that holds them all.
 [[nodiscard]] std::vector<GreyImage> planes(const Image& image);
 
 }  // namespace fca

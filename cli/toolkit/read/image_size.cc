@@ -10,7 +10,7 @@ bool has_size_of(const Camera& camera, bool changed, const Image& image, const s
   const ImageSize& known = *camera.image_size;
   const ImageSize is = {image.width, image.height};
   if (is == known) return true;
-  // Of a camera's pixels some may be left out on each side before they are scaled: the same proportions to a pixel.
+  // Some pixels may be cut off on each side before scaling: the proportions need only agree to a pixel.
   const bool scaled = std::abs(1.0 * known.width * is.height / known.height - is.width) <= 1.0;
   const bool part = is.width <= known.width && is.height <= known.height;
   Message fix = {Code::kGiveCalibratedSize};

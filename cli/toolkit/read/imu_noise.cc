@@ -60,8 +60,8 @@ bool make_densities(NoiseKind kind, const std::string& input, Rig& rig, Diagnost
       change(imu, kWalks, root);
       how = {Code::kRootsOfVariances};
     }
-    // White noise is sigma / sqrt(rate), a random walk's step sigma * sqrt(rate) (Kalibr's wiki, "IMU Noise Model":
-    // sigma_d = sigma / sqrt(dt), sigma_bd = sigma_b sqrt(dt)).
+    // The density of white noise is sigma_d / sqrt(rate), that of a random walk sigma_bd * sqrt(rate) (Kalibr's wiki, "IMU
+    // Noise Model": sigma_d = sigma / sqrt(dt), sigma_bd = sigma_b sqrt(dt)).
     if (is_discrete(kind)) {
       const double root = std::sqrt(*imu.rate_hz);
       change(imu, kWhite, [root](double sigma) { return sigma / root; });

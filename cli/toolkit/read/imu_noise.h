@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// IMU noise that is no density, made one.
+// Converts IMU noise that is not given as densities to densities.
 #pragma once
 
 #include <fca/diagnostics.h>
@@ -10,11 +10,12 @@
 
 namespace fca {
 
-/// Sets the rate of the IMUs, which their files do not state. False with an error where one states another, or there is no IMU.
+/// Sets the rate [Hz] of the IMUs whose files do not contain it. False, with an error, if a file contains another rate, or
+/// there is no IMU.
 [[nodiscard]] bool set_imu_rate(double rate_hz, const std::string& input, Rig& rig, Diagnostics& diagnostics);
 
-/// The rig's IMU noise as densities (standard deviations in continuous time), with a note; `input` is named in errors. False
-/// with an error where there is no IMU, or no rate though single samples need one.
+/// Converts the rig's IMU noise to densities (standard deviations in continuous time) and adds a note. `input`: the file's name
+/// for errors. False, with an error, if there is no IMU, or no rate although noise of single samples needs one.
 [[nodiscard]] bool make_densities(NoiseKind kind, const std::string& input, Rig& rig, Diagnostics& diagnostics);
 
 }  // namespace fca

@@ -21,7 +21,7 @@ struct SampleImages {
   std::vector<std::string> paths;
 };
 
-/// "IMAGE" or "CAMERA=IMAGE"
+/// The image as the user typed it: "IMAGE" or "CAMERA=IMAGE"
 std::string in_words(const CameraImage& image) { return image.camera.empty() ? image.path : image.camera + "=" + image.path; }
 
 void refuse(const CameraImage& image, const Rig& rig, Diagnostics& diagnostics) {
@@ -38,14 +38,14 @@ void refuse(const CameraImage& image, const Rig& rig, Diagnostics& diagnostics) 
                   {given, names, first, image.camera});
 }
 
-/// The camera that took it; null if there is none.
+/// The camera that took the image; null if it is not known.
 Camera* camera_of(const CameraImage& image, Rig& rig) {
   if (image.camera.empty()) return rig.cameras.size() == 1 ? rig.cameras.data() : nullptr;
   const auto camera = std::ranges::find(rig.cameras, image.camera, &Camera::name);
   return camera != rig.cameras.end() ? &*camera : nullptr;
 }
 
-/// Whose images they are; nothing with an error.
+/// The images grouped by camera; nullopt, with an error, if an image has no known camera or no path.
 std::optional<std::vector<SampleImages>> by_camera(const std::vector<CameraImage>& images, Rig& rig, Diagnostics& diagnostics) {
   std::vector<SampleImages> result;
   for (const CameraImage& image : images) {
@@ -70,7 +70,7 @@ Message named(const std::vector<std::string>& paths) {
   return {Code::kImagesByNumber, {names.size()}};
 }
 
-/// Of several images those that show the circle alone, else all.
+/// The images that show the circle on their own; all images if none does.
 std::vector<std::string> witnesses(const LitCircleSearch& search, const LensCircle& circle,
                                    const std::vector<std::string>& paths) {
   std::vector<std::string> result;
@@ -78,11 +78,12 @@ std::vector<std::string> witnesses(const LitCircleSearch& search, const LensCirc
   return result.empty() ? paths : result;
 }
 
-/// What speaks against the circle that was found: a lamp in a dark room is lit, too, and so is the glow around a lens.
+/// Adds warnings if the circle may not be that of the lens. A lamp in a dark room is bright too, and so is the glow around a
+/// lens.
 void warn_of_doubts(const Camera& camera, const std::string& path, Diagnostics& diagnostics) {
-  constexpr double kOffCentre = 0.1;  // of the radius
+  constexpr double kOffCentre = 0.1;  // fraction of the radius
   constexpr double kHalf = 0.5;
-  constexpr double kSmall = 0.2;  // of the image's area
+  constexpr double kSmall = 0.2;  // fraction of the image's area
   const LensCircle& circle = *camera.lens_circle;
   const Pixel axis = principal_point(camera.model);
   const double off = std::hypot(circle.centre[0] - axis[0], circle.centre[1] - axis[1]);
@@ -93,7 +94,7 @@ void warn_of_doubts(const Camera& camera, const std::string& path, Diagnostics& 
   if (circle.rim_share < kHalf) diagnostics.add(Code::kCircleUncertain, {camera.name, circle.rim_share}, {path, 0, 0});
 }
 
-/// Images whose own circle is another one: of another camera, or of something else than the lens.
+/// Warns about images that show another circle: they are from another camera, or show something else.
 void warn_of_others(const LitCircleSearch& search, const Camera& camera, const std::vector<std::string>& paths,
                     const std::vector<std::string>& witnesses, Diagnostics& diagnostics) {
   for (const std::size_t image : search.contradicting(*camera.lens_circle)) {
@@ -103,13 +104,13 @@ void warn_of_others(const LitCircleSearch& search, const Camera& camera, const s
   }
 }
 
-/// The change of the camera's images; nothing where it cannot be, which is said elsewhere.
+/// How the camera's image size and pixels change; nullopt if the change is not possible, which is reported elsewhere.
 std::optional<ChangedImage> changed_image_of(const Camera& camera, const ImageChange& change) {
   Diagnostics said_later;
   return changed_image(*camera.image_size, change, said_later);
 }
 
-/// The camera before or after the change, as the size of its image tells.
+/// The camera before or after the change, whichever has the size of the image.
 Camera as_taken(const Camera& camera, const ImageChange& change, const Image& image) {
   const std::optional<ChangedImage> changed = changed_image_of(camera, change);
   const ImageSize size = {image.width, image.height};
@@ -120,19 +121,20 @@ Camera as_taken(const Camera& camera, const ImageChange& change, const Image& im
   return result;
 }
 
-/// The circle that was seen, in the camera's image before the change; nothing where it is none there.
+/// The circle in the camera's image before the change; nullopt if it is not a circle there.
 std::optional<LensCircle> in_image_of(const Camera& camera, const ImageChange& change, const Camera& seen) {
   if (seen.image_size == camera.image_size) return seen.lens_circle;
   return with_pixels(*seen.lens_circle, changed_image_of(camera, change)->map.inverse());
 }
 
-/// A camera as its sample images have it, and what they show.
+/// A camera as its sample images show it (before or after the change), and the search for their circle.
 struct Seen {
   Camera camera;
   LitCircleSearch search;
 };
 
-/// Nothing with an error where an image is none of the camera's.
+/// Searches for the circle in a camera's images; nullopt, with an error, if an image cannot be read or does not have the
+/// camera's size.
 std::optional<Seen> look_at(const Camera& camera, const std::vector<std::string>& paths, const ImageChange& change,
                             Files& files, Diagnostics& diagnostics) {
   std::optional<Seen> seen;
@@ -144,13 +146,13 @@ std::optional<Seen> look_at(const Camera& camera, const std::vector<std::string>
       seen = Seen{taken, LitCircleSearch(principal_point(taken.model))};
     }
     if (!has_size_of(seen->camera, !change.changes_nothing(), *image, path, diagnostics)) return std::nullopt;
-    seen->search.add(brightest(planes(*image)));  // a blue light is light, too
+    seen->search.add(brightest(planes(*image)));  // the brightest colour of each pixel, since light may be blue only
   }
   if (seen) seen->camera.lens_circle = seen->search.best();
   return seen;
 }
 
-/// Tells of the images that show another circle than most, and looks at the others alone.
+/// Warns about images that show another circle than most, and searches again without them. False, with an error, if that fails.
 bool leave_out_others(const Camera& camera, std::vector<std::string>& paths, const ImageChange& change, Files& files,
                       Seen& seen, Diagnostics& diagnostics) {
   const std::vector<std::size_t> others = seen.search.contradicting(*seen.camera.lens_circle);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The image circle: what of a camera's image is lens, as its own images show it.
+// The image circle: the part of an image that the lens lights, found in sample images.
 #pragma once
 
 #include <fca/diagnostics.h>
@@ -11,11 +11,11 @@
 
 namespace fca {
 
-/// Gives the rig's cameras the circles that these images show. Several images of one camera are looked at together. `change` is
-/// what is going to be done to the rig's images: the images given show it, or not yet. False with an error where an image
-/// cannot be read, is not of its camera's size, or it is not said whose it is. A warning where images show no dark border (all
-/// of them is lens then), where the circle's centre is far from the principal point, where little of its rim is seen, and where
-/// one image shows another circle than the others.
+/// Sets the image circles of the rig's cameras from these sample images. All images of one camera are used together. `change`:
+/// the change that will be made to the rig's images; the samples may be from before or after it. False, with an error, if an
+/// image cannot be read, does not have its camera's size, or has no known camera. Adds warnings if images show no dark border
+/// (then all of the image is lens), if the circle's centre is far from the principal point, if little of its rim is visible,
+/// and if an image shows another circle than the others.
 [[nodiscard]] bool add_lens_circles(const std::vector<CameraImage>& images, const ImageChange& change, Files& files, Rig& rig,
                                     Diagnostics& diagnostics);
 

@@ -12,14 +12,14 @@ namespace {
 
 bool asks_for_lens(const Diagnostic& entry) { return entry.facts.code == Code::kOpencvAmbiguousModel; }
 
-/// Both readings of a file that leaves nothing open but the lens; none of any other, or, with what else is wrong, where there
-/// is no reading at all.
+/// The readings of a file as pinhole and as fisheye, if only its lens is ambiguous; otherwise empty. If neither reading is
+/// possible, adds the other errors.
 std::vector<ReadingAs> both_readings(const Inputs& inputs, Diagnostics& diagnostics, Files& files) {
   const auto is_other_error = [](const Diagnostic& entry) {
     return entry.severity == Severity::kError && !asks_for_lens(entry);
   };
   std::vector<ReadingAs> readings;
-  Diagnostics other;  // what else is wrong with the file, where it means nothing as either
+  Diagnostics other;  // further errors, if neither reading is possible
   if (std::ranges::none_of(diagnostics.entries(), asks_for_lens) || std::ranges::any_of(diagnostics.entries(), is_other_error))
     return readings;
   for (const OpenCvModel model : {OpenCvModel::kPinhole, OpenCvModel::kFisheye}) {
@@ -38,7 +38,7 @@ std::vector<ReadingAs> both_readings(const Inputs& inputs, Diagnostics& diagnost
   return readings;
 }
 
-/// A file with a lens for each size of images, as each of them; none of any other.
+/// The readings of a file that has a lens for each image size, one per size; empty for other files.
 std::vector<ReadingAs> readings_of_sizes(const Inputs& inputs, const Diagnostics& diagnostics, Files& files) {
   std::vector<ReadingAs> readings;
   for (const ImageSize& size : offered_sizes(diagnostics)) {
@@ -60,7 +60,7 @@ Diagnostics as_warnings(const Diagnostics& diagnostics) {
   return result;
 }
 
-/// What is wrong with what the file that states the cameras means.
+/// The findings about the meaning of the file that contains the cameras.
 std::vector<Finding> findings_in(const Calibration& calibration, const Inputs& inputs, const Diagnostics& diagnostics) {
   CheckOptions options;
   options.reading = read_options(inputs);
@@ -68,7 +68,7 @@ std::vector<Finding> findings_in(const Calibration& calibration, const Inputs& i
   options.max_angle_rad = inputs.max_angle_rad;
   std::vector<Finding> findings = findings_about_meaning(calibration.documents[calibration.with_cameras], calibration,
                                                          diagnostics, options, *calibration.format);
-  // Whoever only reads may do without a part; the program does not.
+  // Reading does not need every part of the calibration, but the program does: a missing part is an error for it.
   for (Finding& finding : findings) {
     if (finding.facts.code != Code::kPartMissing) continue;
     finding.severity = Severity::kError;

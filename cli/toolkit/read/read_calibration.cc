@@ -18,7 +18,7 @@ namespace fca {
 
 namespace {
 
-/// "crop 512 x 512 px at (64, 0)", "binning 2", "resize to 640 x 480 px"
+/// The steps of a change as messages: "crop 512 x 512 px at (64, 0)", "binning 2", "resize to 640 x 480 px"
 std::vector<Message> steps_of(const ImageChange& change) {
   std::vector<Message> steps;
   if (change.crop)
@@ -28,13 +28,13 @@ std::vector<Message> steps_of(const ImageChange& change) {
   return steps;
 }
 
-/// "u' = 0.5 u - 0.25"
+/// The map of one axis as a message: "u' = 0.5 u - 0.25"
 Message in_words(const PixelMap& map, std::size_t axis) {
   const double shift = map.shift.at(axis);
   return {Code::kAxisMap, {axis == 0 ? "u" : "v", map.scale.at(axis), shift < 0.0 ? "-" : "+", std::abs(shift)}};
 }
 
-/// The cameras of the images that were made from the calibrated ones.
+/// Replaces the cameras by those of the changed images; false, with errors, if the change is not possible.
 bool change_images(const ImageChange& change, const std::string& input, Rig& rig, Diagnostics& diagnostics) {
   if (change.changes_nothing()) return true;
   if (rig.rectified) diagnostics.add(Code::kRectificationOfOtherImages, {}, {input, 0, 0});
@@ -59,7 +59,7 @@ bool change_images(const ImageChange& change, const std::string& input, Rig& rig
   return true;
 }
 
-/// Indices into the rig; nothing with an error for a camera that is not there.
+/// The indices of the chosen cameras in the rig; nullopt, with an error, for a camera that does not exist or is chosen twice.
 std::optional<std::vector<std::size_t>> places_of(const std::vector<CameraChoice>& choices, const Rig& rig,
                                                   Diagnostics& diagnostics) {
   std::vector<std::size_t> indices;
@@ -83,7 +83,8 @@ std::optional<std::vector<std::size_t>> places_of(const std::vector<CameraChoice
   return indices;
 }
 
-/// The rig with these cameras alone. What only one left out says is not asked for, either; poses by way of it stay.
+/// Keeps only these cameras in the rig. Extra fields, rectification and uncertainties of the others are removed; poses that
+/// lead through a removed camera remain.
 void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
   std::vector<Camera> cameras;
   cameras.reserve(indices.size());
@@ -101,8 +102,8 @@ void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
   rig.cameras = std::move(cameras);
 }
 
-/// Reads the files that the last of the documents, which is of that format, names as parts of it. One that is not there is a
-/// warning: what the others say may be all that is wanted. False with errors.
+/// Reads the files that the last document, which has that format, names as its parts. A missing part is a warning, since the
+/// user may need only what the others contain. False, with errors, if a part cannot be parsed.
 bool add_parts(const Format& format, Files& files, std::vector<text::Document>& documents, Diagnostics& diagnostics) {
   std::vector<text::Document> parts;
   bool all_there = true;
@@ -122,11 +123,11 @@ bool add_parts(const Format& format, Files& files, std::vector<text::Document>& 
   return true;
 }
 
-/// False with an error where a file states another size than the one that was given for files that state none.
+/// False, with an error, if a file contains an image size other than the one that the request gives for files without a size.
 bool has_given_size(const Inputs& inputs, const Calibration& calibration, Diagnostics& diagnostics) {
   const std::optional<ImageSize>& size = inputs.image_size;
   if (!size) return true;
-  // Of several cameras those whose size is stated may have another one.
+  // If one of several cameras has the given size, the others may have their own.
   const bool of_one_of_many =
       std::ranges::find(calibration.rig.cameras, size, &Camera::image_size) != calibration.rig.cameras.end();
   for (const Camera& camera : calibration.rig.cameras) {
@@ -139,14 +140,14 @@ bool has_given_size(const Inputs& inputs, const Calibration& calibration, Diagno
   return true;
 }
 
-/// False with an error where a unit was told and all files state theirs.
+/// False, with an error, if the request gives a length unit and all files contain theirs.
 bool has_use_for_unit(const Inputs& inputs, const Calibration& calibration, Diagnostics& diagnostics) {
   if (!inputs.length_unit_m || calibration.poses_in_told_unit > 0) return true;
   diagnostics.add(Code::kUnitWithoutUse, {calibration.format->title}, {inputs.files.front(), 0, 0});
   return false;
 }
 
-/// With the files of each folder that is one rig in its place.
+/// Replaces each folder that contains one rig by the rig's files.
 Inputs with_rig_files(const Inputs& inputs) {
   Inputs result = inputs;
   result.files.clear();
@@ -164,7 +165,7 @@ Inputs with_rig_files(const Inputs& inputs) {
   return result;
 }
 
-/// Has the format's reader made densities of such noise?
+/// True if the format's reader has already converted such noise to densities.
 bool is_converted(NoiseKind kind, const Format& format) { return format.noise_of_samples && kind == NoiseKind::kDiscrete; }
 
 }  // namespace

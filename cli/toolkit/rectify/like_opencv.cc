@@ -13,7 +13,7 @@ namespace fca {
 
 namespace {
 
-/// Nothing of a model that cv::projectPoints and cv::fisheye have not.
+/// The model's distortion coefficients in OpenCV's order; nullopt if neither cv::projectPoints nor cv::fisheye has the model.
 std::optional<std::vector<double>> coefficients_of(const CameraModel& model) {
   const std::string_view id = model_info(model).id;
   const auto values = [&model](std::span<const ParameterId> names) {

@@ -5,7 +5,7 @@
 
 namespace fca {
 
-/// The pair as OpenCV rectifies it. Nothing with an error where OpenCV knows no such lens, or throws. `alpha`: 0 to 1.
+/// Rectifies the pair with OpenCV. nullopt, with an error, if OpenCV does not have such lenses, or throws. `alpha`: 0 to 1.
 [[nodiscard]] std::optional<RectifiedPair> rectified_by(const OpenCvRectifier& opencv, const std::array<Camera, 2>& cameras,
                                                         const Transform& T_second_first, double alpha, const ImageSize& size,
                                                         Diagnostics& diagnostics);

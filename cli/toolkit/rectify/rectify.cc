@@ -19,7 +19,7 @@ namespace fca {
 
 namespace {
 
-/// As the files state it, with the parts of it that each camera sees.
+/// The rectification in the files, with the valid region of each camera; nullopt, with an error, if there is none.
 std::optional<RectifiedPair> as_stated(const SourcePair& source, Diagnostics& diagnostics) {
   RectifiedPair pair = *source.stated;
   if (!pair.size) pair.size = source.cameras[0].image_size;
@@ -48,7 +48,7 @@ std::optional<RectifiedPair> computed(const RectifyRequest& request, const Sourc
   return theirs;
 }
 
-/// A file's rectification is taken as it is, also where its pose is another one.
+/// Warns if the rectification in a file contradicts the pose there; the rectification is used nevertheless.
 void warn_of_contradiction(const SourcePair& source, const RectifiedPair& pair, const std::string& file,
                            Diagnostics& diagnostics) {
   constexpr double kDegrees = 180.0 / std::numbers::pi;
@@ -63,7 +63,7 @@ void warn_of_contradiction(const SourcePair& source, const RectifiedPair& pair, 
   diagnostics.add({Severity::kWarning, facts, {file, 0, 0}});
 }
 
-/// The left or upper camera first.
+/// Puts the left or upper camera first.
 void put_in_order(SourcePair source, RectifyResult& result) {
   if (result.pair.offset_m < 0.0) {
     result.is_exchanged = true;
@@ -77,7 +77,7 @@ void put_in_order(SourcePair source, RectifyResult& result) {
   result.is_rectified = source.is_rectified;
 }
 
-/// From the left border to the right one, of the pixels' outer edges.
+/// The horizontal field of view [rad] between the outer edges of the first and the last pixels.
 double field_across(const RectifiedPair& pair, const ImageSize& size) {
   const double centre = pair.views[0].centre[0];
   return std::atan((centre + 0.5) / pair.focal_lengths[0]) + std::atan((size.width - 0.5 - centre) / pair.focal_lengths[0]);

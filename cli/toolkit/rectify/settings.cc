@@ -20,7 +20,7 @@ std::string_view program_of(const RectifyRequest& request) {
   return name_of(request.layout) == kOrbSlam2 ? "ORB-SLAM2" : request.to->program;
 }
 
-/// Where the left camera is on the IMU, and its noise.
+/// Adds the IMU's noise and the pose of the rectified left camera in the IMU, if they are known.
 void add_imu(const Rig& input, const Camera& camera, const Transform& T_rectified_camera, Rig& rig) {
   const std::string imu = input.imus.empty() ? "imu0" : input.imus.front().name;
   const std::optional<Transform> T_imu_camera = input.resolve(imu, camera.name);
@@ -32,7 +32,7 @@ void add_imu(const Rig& input, const Camera& camera, const Transform& T_rectifie
   rig.imus.front().name = "imu0";
 }
 
-/// One camera for both images, and the baseline.
+/// The rig for a format that has one camera for both rectified images, and the baseline.
 Rig rig_of_images(const Rig& input, const RectifyResult& result) {
   Rig rig;
   Camera camera = rectified_camera(result.pair, 0, result.size);
@@ -49,7 +49,7 @@ Rig rig_of_images(const Rig& input, const RectifyResult& result) {
   return rig;
 }
 
-/// Both cameras as they take the images, and how these are rectified.
+/// The rig for a format that has both original cameras and their rectification.
 Rig rig_of_cameras(const RectifyResult& result) {
   Rig rig;
   rig.cameras = {result.cameras[0], result.cameras[1]};
@@ -57,12 +57,12 @@ Rig rig_of_cameras(const RectifyResult& result) {
   rig.rectified->sources.clear();
   for (std::size_t i = 0; i < 2; ++i) rig.rectified->views.at(i).camera = result.cameras.at(i).name;
   rig.poses = {{result.cameras[1].name, result.cameras[0].name, result.T_second_first}};
-  // Where the two contradict each other, the file's rectification is what the images are made by.
+  // If pose and rectification contradict each other, the pose is computed from the rectification, which makes the images.
   if (!states_rectification(rig)) rig.poses.front().T_a_b = pose_of(result.pair);
   return rig;
 }
 
-/// What the program cannot be told of this pair.
+/// False, with an error, if the format cannot represent this pair.
 bool is_held(const RectifyRequest& request, const RectifyResult& result, Diagnostics& diagnostics) {
   const auto& [first, second] = result.cameras;
   const auto refuse = [&diagnostics](Code code, std::vector<Argument> facts) {
@@ -88,7 +88,7 @@ bool is_held(const RectifyRequest& request, const RectifyResult& result, Diagnos
   return true;
 }
 
-/// What the programs of one file make of it.
+/// Proves one file with its programs' readers and adds the proofs to the result.
 void prove_file(const ConvertedFile& file, const Written& written, const Rig& rig, RectifyResult& result) {
   ReadOptions reading;
   reading.opencv_model = written.opencv_model;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that hold a rectified pair, or are for its images.
+// Files for a rectified pair, or for its rectified images.
 #pragma once
 
 #include <fca/formats/calibration.h>
@@ -7,7 +7,7 @@
 
 namespace fca {
 
-/// Adds to the result the files in the request's format, and how its program reads them. False with errors.
+/// Adds the files in the request's format, and the proofs that its programs read them, to the result. False with errors.
 [[nodiscard]] bool write_settings(const RectifyRequest& request, const Calibration& input, RectifyResult& result);
 
 }  // namespace fca

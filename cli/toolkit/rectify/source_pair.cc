@@ -14,7 +14,7 @@ namespace fca {
 
 namespace {
 
-/// One camera for both images, without a lens.
+/// The pair of a file that has one camera without distortion for both rectified images.
 SourcePair of_rectified_images(const Rig& rig) {
   SourcePair result;
   const Camera& camera = rig.cameras.front();
@@ -40,7 +40,7 @@ bool is_of_rectified_images(const Rig& rig) {
   return model_info(model).id == "radtan" && std::ranges::all_of(lens, [](double value) { return value == 0.0; });
 }
 
-/// Places in the rig.
+/// The indices of the pair's cameras in the rig; nullopt if there is no pair.
 std::optional<std::pair<std::size_t, std::size_t>> places_of(const Rig& rig) {
   if (rig.rectified) {
     const auto place = [&rig](std::size_t view) {

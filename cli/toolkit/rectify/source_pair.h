@@ -10,15 +10,16 @@
 
 namespace fca {
 
-/// Two cameras, and what their files state of their rectification.
+/// Two cameras, and their rectification if the files contain one.
 struct SourcePair {
   std::array<Camera, 2> cameras;
   Transform T_second_first;
-  std::optional<RectifiedPair> stated;  ///< Of these two, in this order.
-  bool is_rectified = false;            ///< The files hold the camera of rectified images alone, and their baseline.
+  /// The rectification of these cameras, in this order; nullopt if the files contain none.
+  std::optional<RectifiedPair> stated;
+  bool is_rectified = false;  ///< The files contain only the camera of the rectified images and the baseline.
 };
 
-/// Of the rig's cameras those that are a pair. Nothing, with an error at `file`, where there is none.
+/// The stereo pair among the rig's cameras; nullopt, with an error at `file`, if there is none.
 [[nodiscard]] std::optional<SourcePair> source_pair(const Rig& rig, const std::string& file, Diagnostics& diagnostics);
 
 }  // namespace fca

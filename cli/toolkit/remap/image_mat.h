@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images as OpenCV has them, and back.
+// Conversions between Image and cv::Mat.
 #pragma once
 
 #include <fca/toolkit/image.h>
@@ -29,7 +29,7 @@ inline std::optional<Image::Sample> sample_of(int depth) {
   return std::nullopt;
 }
 
-/// The image's own memory, which OpenCV only reads where it is given a constant Mat.
+/// A Mat that shares the image's memory. OpenCV only reads it if it is passed as a constant.
 inline cv::Mat as_mat(const Image& image) {
   return {image.height, image.width, CV_MAKETYPE(depth_of(image.sample), image.channels),
           const_cast<std::uint8_t*>(image.bytes.data())};

@@ -15,7 +15,7 @@ namespace fca {
 
 namespace {
 
-/// The camera whose images they are; nothing with an error where the file has none, or several.
+/// The camera whose images are remapped; nullopt, with an error, if the file has none or several.
 std::optional<Camera> source_of(const RemapRequest& request, Files& files, Diagnostics& diagnostics) {
   const std::optional<Calibration> calibration = read_models(request.inputs, files, diagnostics);
   if (!calibration) return std::nullopt;
@@ -30,20 +30,20 @@ std::optional<Camera> source_of(const RemapRequest& request, Files& files, Diagn
   return cameras.front();
 }
 
-/// A camera, and how the source is turned to it.
+/// The camera of the new images, and the rotation from the source to it.
 struct View {
   Camera camera;
   Transform T_camera_source = {};
 };
 
-/// The image into which ROS rectifies the camera's by R and P, if the file contains them; else the camera's own.
+/// The camera of ROS's rectified image by R and P, if the file contains these; otherwise the camera itself.
 View as_rectified(const Rig& rig, const Camera& camera) {
   if (const std::optional<RectifiedImage> image = rectified_image(rig, camera))
     return {image->camera, image->T_rectified_camera};
   return {camera};
 }
 
-/// The camera of a file: that of the same name, or the only one.
+/// The camera of a file with the given name, or the only one; nullopt, with an error, if there is none.
 std::optional<View> like(const std::string& file, const std::string& name, Files& files, Diagnostics& diagnostics) {
   Inputs inputs;
   inputs.files = {file};
@@ -61,7 +61,7 @@ std::optional<View> like(const std::string& file, const std::string& name, Files
   return std::nullopt;
 }
 
-/// The camera fitted to the model. The view is that model's, exactly, however far the fit is from the source.
+/// The source fitted as that model. The new images are exactly those of the fitted camera, however large the fit's error is.
 std::optional<Camera> as_model(const RemapRequest& request, const ModelInfo& model, const Camera& source,
                                Diagnostics& diagnostics) {
   ConvertOptions options;
@@ -77,7 +77,8 @@ std::optional<Camera> as_model(const RemapRequest& request, const ModelInfo& mod
   return std::move(conversion->camera);
 }
 
-/// 2 : 1, with as many pixels per radian as the middle of the image, as far as images may be that large.
+/// The size of an equirectangular image: 2 : 1, with as many pixels per radian as the middle of the source image, within the
+/// size limit.
 ImageSize equirectangular_size(const Camera& source) {
   const auto [f_u, f_v] = central_focal_lengths(source.model);
   const double height = std::round(std::numbers::pi * std::max(f_u, f_v));
@@ -85,7 +86,7 @@ ImageSize equirectangular_size(const Camera& source) {
   return {2 * rows, rows};
 }
 
-/// Its size and model; nothing with errors.
+/// The camera of the new images; nullopt, with errors, if there is none.
 std::optional<View> view_of(const RemapRequest& request, const Camera& source, Files& files, Diagnostics& diagnostics) {
   if (const auto* file = std::get_if<CameraOfFile>(&request.view)) return like(file->path, source.name, files, diagnostics);
   if (const auto* as = std::get_if<AsModel>(&request.view)) {
@@ -103,7 +104,7 @@ std::optional<View> view_of(const RemapRequest& request, const Camera& source, F
   return View{camera};
 }
 
-/// False with errors.
+/// Computes the map of the request into `result`; false with errors.
 bool make_map(const RemapRequest& request, Files& files, RemapResult& result) {
   const std::optional<Camera> source = source_of(request, files, result.diagnostics);
   if (!source) return false;

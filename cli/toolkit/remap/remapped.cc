@@ -16,7 +16,7 @@ std::optional<Image> remapped(const Image& image, const ImageMap& map, Interpola
     const cv::Mat source = as_mat(image);
     cv::Mat result(places.size(), source.type());
     const int how = interpolation == Interpolation::kLanczos ? cv::INTER_LANCZOS4 : cv::INTER_LINEAR;
-    // OpenCV starts threads for more than 2^16 pixels, and ends the program where there can be none.
+    // OpenCV starts threads for more than 2^16 pixels, and ends the program if it cannot.
     constexpr int kMostPixelsOfOneThread = 1 << 16;
     const int rows = std::max(1, kMostPixelsOfOneThread / places.cols);
     for (int first = 0; first < places.rows; first += rows) {

@@ -17,10 +17,10 @@ namespace fca {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-/// What rounding may make of an angle at the edge of what was scored.
+/// Rounding error [rad] of an angle at the edge of the scored part.
 constexpr double kSameAngle = 1e-9;
 
-/// The value of a ray at a pixel; nothing where it cannot be represented.
+/// The value at a pixel with that ray; nullopt if the target cannot represent it.
 using ValueOf = std::function<std::optional<double>(const Pixel&, const Ray&)>;
 
 std::optional<ImageField> field_of(const Camera& camera, std::optional<double> limit_rad, int most_cells,
@@ -51,7 +51,7 @@ std::optional<ImageField> field_of(const Camera& camera, std::optional<double> l
   return field;
 }
 
-/// A direction: its angle from the axis, and around it.
+/// The unit ray at that angle from the axis and azimuth [rad].
 Ray direction(double angle, double around) {
   return {std::sin(angle) * std::cos(around), std::sin(angle) * std::sin(around), std::cos(angle)};
 }
@@ -120,7 +120,7 @@ std::vector<RadiusPoint> radius_curve(const CameraModel& model, double to_rad) {
       sum += std::hypot((*pixel)[0] - centre[0], (*pixel)[1] - centre[1]);
       ++count;
     }
-    // The curve ends where the first azimuth has no pixel any more: a mean over fewer azimuths would jump.
+    // The curve ends at the first angle at which an azimuth has no pixel: a mean over fewer azimuths would jump.
     if (count < kAround || !std::isfinite(sum)) break;
     curve.push_back({angle * kDegreesPerRadian, sum / count});
   }

@@ -12,7 +12,7 @@ namespace fca {
 
 namespace {
 
-/// The cameras as another model, for no format.
+/// Converts the cameras to another model, without a format.
 ConvertResult fitted(const ConvertRequest& request, const Reading& reading) {
   ConvertResult result;
   result.from = reading.calibration->format;
@@ -47,7 +47,7 @@ std::vector<CheckResult> checked(const Inputs& inputs, const Calibration& calibr
   return results;
 }
 
-/// False where there is nothing to report on.
+/// Makes the conversion, if the request has one; false if there is nothing to report on.
 bool converted(const ConvertRequest& request, Files& files, ReportResult& result) {
   if (request.to != nullptr || !request.into.empty()) {
     result.conversion = convert(request, files);
@@ -55,7 +55,7 @@ bool converted(const ConvertRequest& request, Files& files, ReportResult& result
     result.conversion = fitted(request, result.reading);
   }
   if (result.conversion) result.status = result.conversion->status;
-  // A conversion that is rejected is what a report is for; one that cannot be made leaves nothing to show.
+  // A rejected conversion is worth a report; one that failed leaves nothing to show.
   return result.status <= Status::kRejected;
 }
 

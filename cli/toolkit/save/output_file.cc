@@ -39,7 +39,7 @@ bool write_all(int fd, std::string_view bytes) {
   return true;
 }
 
-/// {0}: the path, {1}: why.
+/// A message with {0} the path and {1} the system's reason.
 Message failure(Code what, const std::string& path) { return {what, {path, std::strerror(errno)}}; }
 
 std::optional<Message> write_directly(const std::string& path, std::string_view bytes) {
@@ -56,16 +56,16 @@ std::uint64_t seed() {
   return std::uint64_t{device()} << 32U | device();
 }
 
-/// A name for a temporary file in that folder that nobody else has just now.
+/// A random name for a temporary file in that folder.
 std::string temporary_name(const fs::path& folder) {
-  thread_local std::mt19937_64 random(seed());  // the device itself takes longer than a file
+  thread_local std::mt19937_64 random(seed());  // the random device takes longer than writing a file
   std::array<char, 17> digits{};
   std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(random()));
   return (folder / (std::string(kTemporaryFile) + digits.data())).string();
 }
 
-/// What is to be put into a place: without a name as long as that can be (a killed program leaves nothing), then beside it. It
-/// is locked while its writer lives.
+/// The new content of a path. It is written to a file without a name if possible (a killed program then leaves nothing),
+/// otherwise to a temporary file next to the target. The file is locked as long as its writer runs.
 class StagedFile {
  public:
   StagedFile() = default;
@@ -78,7 +78,7 @@ class StagedFile {
   StagedFile& operator=(const StagedFile&) = delete;
   StagedFile& operator=(StagedFile&&) = delete;
 
-  /// `mode`: of the file that is there; nothing: what new files are allowed.
+  /// Writes the bytes. `mode`: the permissions of the existing file; nullopt: those of a new file.
   [[nodiscard]] std::optional<Message> write(const std::string& target, std::string_view bytes, std::optional<mode_t> mode) {
     target_ = target;
     const fs::path folder = folder_of_target();
@@ -86,7 +86,7 @@ class StagedFile {
     constexpr mode_t kNew = 0666;  // less the process's mask
     const mode_t first = mode ? kMine : kNew;
     if (::access(kOwnFiles, X_OK) == 0) file_ = Descriptor(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, first));
-    if (file_.get() < 0) {  // not every file system knows files without names, and without /proc they get none
+    if (file_.get() < 0) {  // not every file system has files without names, and without /proc they cannot be linked
       const std::string name = temporary_name(folder);
       file_ = Descriptor(::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, first));
       if (file_.get() < 0) return failure(Code::kCannotCreateBeside, target);
@@ -99,7 +99,7 @@ class StagedFile {
 
   [[nodiscard]] bool force_to_disk() const { return ::fsync(file_.get()) == 0; }
 
-  /// Puts the file into its place; without `overwrite` not over one that appeared meanwhile.
+  /// Moves the file to its path. Without `overwrite`, fails if a file has appeared there meanwhile.
   [[nodiscard]] std::optional<Message> put(bool overwrite) {
     if (temporary_.empty()) {
       if (!overwrite) return link(target_) ? std::nullopt : std::optional(failure(Code::kCannotWrite, target_));
@@ -109,7 +109,7 @@ class StagedFile {
     }
     const unsigned flags = overwrite ? 0 : RENAME_NOREPLACE;
     int result = ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), flags);
-    // Some file systems know no such flag.
+    // Some file systems do not support that flag.
     if (result != 0 && errno == EINVAL) result = ::rename(temporary_.c_str(), target_.c_str());
     if (result != 0) return failure(Code::kCannotWrite, target_);
     temporary_.clear();
@@ -132,12 +132,12 @@ class StagedFile {
   Descriptor file_{-1};
 };
 
-/// Where a path leads and what is there.
+/// The target of a path, and what exists there.
 struct Place {
   std::string target;
   bool exists = false;
   bool device = false;
-  std::optional<mode_t> mode = {};  ///< Of what exists.
+  std::optional<mode_t> mode = {};  ///< Permissions of the existing file.
 };
 
 std::optional<Message> find_place(const std::string& path, bool overwrite, Place& place) {
@@ -147,12 +147,12 @@ std::optional<Message> find_place(const std::string& path, bool overwrite, Place
   if (place.exists && S_ISDIR(status.st_mode)) return Message{Code::kIsFolder, {path}};
   place.device = place.exists && !S_ISREG(status.st_mode);
   if (place.exists && !place.device && !overwrite) return Message{Code::kFileExists, {path}};
-  // Putting a new file into its place needs a right to the folder alone; whoever protects a file means its content.
+  // A rename needs write permission for the folder only. A user who write-protects a file means its content.
   const auto may_write = [&] { return (status.st_mode & 0222) != 0 && ::access(path.c_str(), W_OK) == 0; };
   if (place.exists && !place.device && !may_write()) return Message{Code::kFileProtected, {path}};
   if (place.exists) place.mode = status.st_mode & 07777;
   place.target = path;
-  // Written through a symbolic link, also one whose target is yet to come.
+  // A symbolic link is followed, even if its target does not exist yet.
   std::error_code error;
   if (place.exists && !place.device) {
     place.target = fs::canonical(path, error).string();
@@ -168,7 +168,7 @@ std::optional<Message> find_place(const std::string& path, bool overwrite, Place
   return std::nullopt;
 }
 
-/// Files that are written together or not at all.
+/// A set of files that are all written or not at all.
 struct StagedSet {
   std::vector<Place> places;
   std::vector<StagedFile> files;
@@ -199,7 +199,7 @@ std::set<fs::path> folders_of(std::span<const StagedSet> sets) {
   return folders;
 }
 
-/// False where it failed.
+/// Opens each folder and calls `action` on its descriptor; false if one fails.
 bool in_each_folder(const std::set<fs::path>& folders, int (*action)(int)) {
   return std::ranges::all_of(folders, [action](const fs::path& folder) {
     const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -207,7 +207,8 @@ bool in_each_folder(const std::set<fs::path>& folders, int (*action)(int)) {
   });
 }
 
-/// The bytes of the files reach the disk before their names do. One is asked for itself; of several, their file system once.
+/// Makes the files' bytes reach the disk before their names do. A single file is synced by itself; for several, their file
+/// systems are synced once.
 void force_to_disk(std::vector<StagedSet>& sets) {
   std::size_t files = 0;
   const StagedFile* last = nullptr;
@@ -260,7 +261,7 @@ std::vector<std::optional<Message>> write_sets(std::span<const std::span<const O
     problems[i] = set.problem ? set.problem : put_into_place(set, sets[i], overwrite);
     set.files.clear();
   });
-  // The new names, too. A file system that cannot sync a folder has no other way to ask for it.
+  // Syncs the new names. If a file system cannot sync a folder, there is no other way, so that the result is ignored.
   if (sync) static_cast<void>(in_each_folder(folders, ::fsync));
   return problems;
 }

@@ -10,23 +10,24 @@
 
 namespace fca {
 
-/// A file to be written.
+/// A file to write.
 struct OutputFile {
   std::string path;
   std::string bytes;
 };
 
-/// Removes from a folder (empty: the current one) what a program that was killed while it wrote there has left.
+/// Removes temporary files that killed writers have left in a folder (empty: the current one).
 void remove_leftovers(const std::string& folder);
 
-/// Writes files so that all their paths hold the old content or the new, never half: temporary files beside them first, then,
-/// when all of them are complete, renames. Symbolic links are followed, permissions of existing files kept. Devices and pipes
-/// are written directly, last. Returns what went wrong; then no temporary file stays. `sync`: also if the power fails.
+/// Writes files so that each path has either its old or its new content, never a part: writes temporary files first and renames
+/// them when all are complete. Follows symbolic links, and keeps the permissions of existing files. Writes devices and pipes
+/// directly, last. Returns an error message, after removing the temporary files, or nullopt. `sync`: safe also if the power
+/// fails.
 [[nodiscard]] std::optional<Message> write_files(std::span<const OutputFile> files, bool overwrite, bool sync);
 
-/// The same of several sets, each of which is written or not for itself: what went wrong with each. Up to `jobs`
-/// (parallel_for.h) are written at the same time: no two of them hold the same path. All are forced to disk at once, which
-/// takes as long as one alone; until they are in their places all files are open.
+/// Writes several sets of files, each of which succeeds or fails by itself; returns the error of each, or nullopt. Writes up to
+/// `jobs` sets (parallel_for.h) at the same time; two sets must not contain the same path. With `sync`, all sets are forced to
+/// disk at once, which takes as long as a single one. All files stay open until they are renamed.
 [[nodiscard]] std::vector<std::optional<Message>> write_sets(std::span<const std::span<const OutputFile>> sets, bool overwrite,
                                                              bool sync, std::size_t jobs);
 

@@ -19,7 +19,7 @@ bool save(const ConvertResult& result, const std::string& folder, Diagnostics& d
     return false;
   }
   namespace fs = std::filesystem;
-  std::error_code error;  // what is wrong with the folder, writing into it shows
+  std::error_code error;  // ignored: writing into the folder reports the error
   std::vector<OutputFile> files;
   for (const ConvertedFile& file : result.files) {
     const fs::path path = fs::path(folder) / name_in_folder(file);

@@ -12,8 +12,8 @@ Descriptor unnamed_file_in(const std::string& folder) {
   constexpr mode_t kMine = 0600;
   Descriptor file(::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMine));
   if (file.get() >= 0) return file;
-  // Not every file system knows files without names.
-  constexpr const char* kDigits = "XXXXXX";  // mkostemp() puts others there
+  // Not every file system has files without names.
+  constexpr const char* kDigits = "XXXXXX";  // mkostemp() replaces them
   std::string name = (std::filesystem::path(folder) / (std::string(kTemporaryFile) + kDigits)).string();
   file = Descriptor(::mkostemp(name.data(), O_CLOEXEC));
   if (file.get() >= 0) ::unlink(name.c_str());

@@ -7,10 +7,11 @@
 
 namespace fca {
 
-/// What the name of a temporary file begins with, as long as it has one.
+/// The prefix of temporary files' names.
 inline constexpr const char* kTemporaryFile = ".fca-io-";
 
-/// A file in that folder without a name, to be read and written: it is gone when it is closed. Else -1, and errno says why.
+/// Opens a file without a name in that folder for reading and writing; it is gone when it is closed. If that fails, the
+/// descriptor is -1 and errno has the reason.
 [[nodiscard]] Descriptor unnamed_file_in(const std::string& folder);
 
 }  // namespace fca

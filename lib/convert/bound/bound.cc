@@ -13,33 +13,35 @@ namespace fca::internal {
 
 namespace {
 
-/// A bound is good enough at this multiple of an error that was seen, or this many px above it.
+/// A cell is not divided further if its bound is at most this multiple of the largest error that was seen, or at most
+/// kNegligible px above it.
 constexpr double kGoodEnough = 1.01;
 constexpr double kNegligible = 2e-10;
-/// What a strip's remainder may be of the seen error, and in px.
+/// The largest remainder of a strip's polynomials, as a fraction of the largest error that was seen, and in px.
 constexpr double kRemainderShare = 0.005;
 constexpr double kNegligibleRemainder = 5e-11;
 
 using Vector = std::array<double, 2>;
 
-/// Of what is far from overflow, or infinite. Shorter by rounding than the widenings below allow for.
+/// Faster than std::hypot. Correct for numbers that are far from overflow, or infinite. Its rounding error is smaller than the
+/// widenings below.
 double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
-/// Angles around a centre on which both models are polynomials.
+/// A range of angles from the axis, centre +- half [rad], on which both models are polynomials.
 template <std::size_t N>
 struct Strip {
   double centre = 0.0;
   double half = 0.0;
   Field<N> source;
   Field<N> error;               ///< target - source
-  double series_rest_px = 0.0;  ///< The part of the error's remainder that no division makes smaller.
+  double series_rest_px = 0.0;  ///< The part of the error's remainder that does not shrink when the strip is divided.
   [[nodiscard]] double remainder() const { return length(error.remainder[0], error.remainder[1]); }
   [[nodiscard]] bool finite() const {
     return std::isfinite(remainder()) && std::isfinite(source.remainder[0]) && std::isfinite(source.remainder[1]);
   }
 };
 
-/// A rectangle of angles, t +- dt from the strip's centre, and azimuths.
+/// A rectangle of rays: angles t +- dt [rad], relative to the strip's centre, and azimuths phi +- dphi [rad].
 struct Cell {
   std::size_t strip = 0;
   double t = 0.0;
@@ -50,7 +52,7 @@ struct Cell {
   bool split_angle = false;
 };
 
-/// The harmonics and their first two derivatives at a cell's centre, and how large they become in the cell.
+/// The harmonics of the azimuth and their first derivatives at a cell's centre, and their largest absolute values in the cell.
 template <std::size_t N>
 struct Harmonics {
   std::array<double, N> value;
@@ -80,28 +82,28 @@ struct Harmonics {
   }
 };
 
-/// A field around a cell's centre: value + slopes, and how far the field can be from that plane in the cell.
+/// The tangent plane of a field at a cell's centre, and how far the field may be from that plane in the cell [px].
 struct Plane {
   Vector value{};
   Vector by_angle{};
   Vector by_azimuth{};
   Vector rest{};
-  Vector angle_rest{};  ///< The part of the rest that halving dt shrinks.
+  Vector angle_rest{};  ///< The part of the rest that becomes smaller when dt is halved.
 
-  /// How fast the pixel moves with the angle, at most, in the cell.
+  /// Upper bound in the cell of how fast the pixel moves with the angle [px/rad].
   [[nodiscard]] double steepest(double dt) const {
     return length(std::abs(by_angle[0]) + 2.0 * angle_rest[0] / dt, std::abs(by_angle[1]) + 2.0 * angle_rest[1] / dt);
   }
 };
 
-/// A field's coefficients around the centre of a range of angles, t +- dt from that of the strip: what the cells of all
-/// azimuths there have in common.
+/// The values and derivatives of a field's polynomials at one angle, t, and their bounds on t +- dt. The cells of all azimuths
+/// at that angle share them.
 template <std::size_t N>
 struct Radial {
   using PerHarmonic = std::array<std::array<double, N>, 2>;
   PerHarmonic value{};
   PerHarmonic first{};
-  // The largest in the range:
+  // Bounds of the absolute values on t +- dt:
   PerHarmonic value_max{};
   PerHarmonic first_max{};
   PerHarmonic second_max{};
@@ -149,7 +151,7 @@ Plane plane_of(const Field<N>& field, const Radial<N>& radial, const Cell& cell,
   return plane;
 }
 
-/// Both fields of a strip.
+/// The radial coefficients of both fields of a strip.
 template <std::size_t N>
 struct RadialPair {
   Radial<N> source;
@@ -157,7 +159,7 @@ struct RadialPair {
   RadialPair(const Strip<N>& strip, double t, double dt) : source(strip.source, t, dt), error(strip.error, t, dt) {}
 };
 
-/// The same in more harmonics.
+/// Copies a form into one with more harmonics, which are 0.
 template <std::size_t N>
 PolarSeriesOf<N> widened(const PolarSeries& form) {
   PolarSeriesOf<N> wide;
@@ -168,7 +170,7 @@ PolarSeriesOf<N> widened(const PolarSeries& form) {
   return wide;
 }
 
-/// Of forms with N harmonics.
+/// The search for the bound, with polar forms of N harmonics.
 template <std::size_t N>
 class Bounder {
   using Form = PolarSeriesOf<N>;
@@ -206,22 +208,23 @@ class Bounder {
   }
 
  private:
-  /// max_angle() is an arc cosine for some models: its rounding near 180 degrees.
+  /// Upper bound of the rounding error of max_angle(), which is an arc cosine for some models, near 180 degrees.
   static constexpr double kAngleSlack = 4e-8;
   static constexpr double kFirstStrip = 0.12;      // rad
   static constexpr double kWidestStrip = 0.25;     // rad
   static constexpr double kNarrowestStrip = 3e-5;  // rad
   static constexpr int kAzimuths = 8;
   static constexpr double kFirstWidth = std::numbers::pi / kAzimuths * (1.0 + 4.0 * kRoundOff);
-  /// unproject() may give a ray for a pixel on the border whose pixel is, by rounding, outside.
+  /// By rounding, unproject() may return a ray for a border pixel although that ray's pixel is slightly outside.
   static constexpr double kBorderSlack = 1e-6;  // px
-  /// A ray in doubles is a little beside the one that is meant. Near a fold of ocamcalib's, where the angle hardly grows with
-  /// the radius, the same camera's pixel of it is then far from the pixel it came from: 1e-7 px.
+  /// Rounding error of a ray's direction. Near a fold of ocamcalib, where the angle hardly changes with the radius, the same
+  /// camera's pixel of the rounded ray may be 1e-7 px from the original pixel.
   static constexpr double kRayRounding = 32.0 * kRoundOff;  // rad
 
   [[nodiscard]] double good_enough() const { return std::max(kGoodEnough * result_.seen, result_.seen + kNegligible); }
 
-  /// Strips on which both models are polynomials to what is asked, each as wide as the one before lets one expect.
+  /// Divides the angles into strips on which both models are polynomials of the required accuracy. The accuracy of each strip
+  /// sets the width of the next one.
   void add_strips() {
     double width = kFirstStrip;
     for (double from = 0.0; from < max_angle_ && !hopeless_;) {
@@ -251,13 +254,13 @@ class Bounder {
       add(cell, radial, first.harmonics);
     }
   }
-  /// An evaluation of a strip takes as long as that many of cells.
+  /// Evaluating a strip takes as long as evaluating this many cells.
   static constexpr int kStripCost = 50;
 
-  /// How many times as wide a strip may be, about, to leave out no more than is asked: less than 1 if it is too wide. What is
-  /// left out grows like the width to the power of kOrder.
+  /// The factor by which a strip may be widened so that its truncation error still meets the limit; below 1 if the strip is too
+  /// wide. The truncation error grows like the width to the power of kOrder.
   [[nodiscard]] double fitting_share(const Strip& strip) const {
-    // Of the same camera all that counts is how steep it is.
+    // If source and target are equal, only the steepness of the source matters, for the rounding of rays.
     constexpr double kRough = 1e-3;  // px
     const bool same = source_ == target_;
     const double truncation = same ? strip.source.truncation : strip.error.truncation;
@@ -279,7 +282,7 @@ class Bounder {
     const Form source_centre = form_of(source_, at_centre);
     const Form source_strip = form_of(source_, over_strip);
     strip.source = field_of(source_centre, source_strip, half);
-    if (source_ == target_) return strip;  // the error is 0, but for the rays' rounding
+    if (source_ == target_) return strip;  // the error is 0 except for the rounding of rays
     const Form error_strip = difference(form_of(target_, over_strip), source_strip);
     strip.error = field_of(difference(form_of(target_, at_centre), source_centre), error_strip, half);
     strip.series_rest_px = length(error_strip.series_rest_px[0], error_strip.series_rest_px[1]);
@@ -318,7 +321,7 @@ class Bounder {
   void split(const Cell& cell) {
     Cell half = cell;
     (cell.split_angle ? half.dt : half.dphi) *= 0.5;
-    // A cell that cannot become smaller stays as it is.
+    // A cell that is already too small to divide keeps its bound.
     if (!(half.dt > 1e-14) || !(half.dphi > 1e-14)) {
       done_ = std::max(done_, cell.bound);
       return;
@@ -339,7 +342,8 @@ class Bounder {
     }
   }
 
-  /// Bounds a cell and keeps it, unless it lies outside the image, or its circle, or is good enough already.
+  /// Computes a cell's bound. Stores the cell for division, unless it lies outside the image or its circle, or its bound is
+  /// good enough.
   void add(Cell cell, const RadialPair& radial, const Harmonics& harmonics) {
     ++result_.evaluations;
     const Strip& strip = strips_[cell.strip];
@@ -373,10 +377,11 @@ class Bounder {
     }
     const double rounding = kRayRounding * (source.steepest(cell.dt) + error.steepest(cell.dt));
     cell.bound = (std::sqrt(corner) + length(error.rest[0], error.rest[1]) + rounding) * (1.0 + 1e-12);
-    // An infinite plane is no plane.
+    // A NaN bound means that nothing is known.
     if (!std::isfinite(cell.bound)) cell.bound = std::numeric_limits<double>::infinity();
     if (centre_inside) {
-      // Some part of every division of this cell lies in the image, and none is better known than its strip.
+      // However finely this cell is divided, a part of it lies in the image, and the strip's remainder is infinite for every
+      // part.
       hopeless_ = hopeless_ || !strip.finite();
       const double surely = length(error.value[0], error.value[1]) - strip.remainder();
       if (surely > result_.seen) {
@@ -384,7 +389,7 @@ class Bounder {
         result_.seen_at = source.value;
       }
     }
-    // Nor does it help to divide what is mostly the rounding of its strip.
+    // Dividing a cell does not help either if most of its bound is the remainder of its strip.
     constexpr double kMostlyRemainder = 1.5;
     if (cell.bound <= std::max(good_enough() + strip.series_rest_px, kMostlyRemainder * strip.remainder()) &&
         std::isfinite(cell.bound)) {
@@ -406,22 +411,22 @@ class Bounder {
   double max_angle_;
   std::optional<LensCircle> circle_;
   int budget_;
-  /// The azimuths into which every strip is cut at first.
+  /// One of the ranges of azimuths into which every strip is divided at first.
   struct FirstCell {
     double phi;
     Harmonics harmonics;
   };
   std::vector<FirstCell> first_cells_;
   std::vector<Strip> strips_;
-  std::vector<Cell> cells_;  ///< A heap, the worst in front.
-  double done_ = 0.0;        ///< The largest bound of the cells that were good enough.
-  bool hopeless_ = false;    ///< A part of the image for which the target has no bound.
+  std::vector<Cell> cells_;  ///< A heap; the cell with the largest bound is first.
+  double done_ = 0.0;        ///< The largest bound of the cells that are not divided further.
+  bool hopeless_ = false;    ///< True if a strip with an infinite remainder reaches into the image: no bound exists.
   ErrorBound result_;
 };
 
-/// What doubles add: the error of unproject() and project() themselves, which is in every error that can be measured.
+/// Upper bound of the rounding errors of unproject() and project() [px], which every measured error contains.
 double rounding_of(const CameraModel& source, const CameraModel& target, const ImageSize& size) {
-  constexpr double kRelative = 1e-13;  // radtan's inverse ends there
+  constexpr double kRelative = 1e-13;  // the accuracy of radtan's inverse
   double pixels = static_cast<double>(size.width) + size.height;
   for (const CameraModel* model : {&source, &target}) {
     for (const double value : central_focal_lengths(*model)) pixels += std::abs(value);

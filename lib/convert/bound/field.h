@@ -13,20 +13,22 @@ namespace fca::internal {
 
 using Polynomial = std::array<double, kOrder>;
 
-/// A pixel as a function of the angle and the azimuth, over a strip of angles: for each component and harmonic of the azimuth a
-/// polynomial in t, the angle [rad] from the strip's centre; and how far each component, in pixels, can be from their sum
-/// anywhere in the strip.
+/// A pixel as a function of angle and azimuth, over a strip of angles. For each image component and each harmonic of the
+/// azimuth there is a polynomial in t, the angle [rad] from the strip's centre. `remainder`: how far each component [px] may be
+/// from the sum of these, anywhere in the strip.
 template <std::size_t N>
 struct Field {
   std::array<std::array<Polynomial, N>, 2> of{};
-  /// Of each polynomial, a bound of its third derivative in the strip.
+  /// Upper bound of the absolute third derivative of each polynomial in the strip.
   std::array<std::array<double, N>, 2> third{};
-  std::array<std::array<std::size_t, N>, 2> terms{};  ///< Coefficients of each polynomial up to the last that is not 0.
+  /// Number of coefficients of each polynomial up to the last that is not 0.
+  std::array<std::array<std::size_t, N>, 2> terms{};
   std::array<double, 2> remainder{};
-  double truncation = 0.0;  ///< The part of the remainder that a narrower strip makes smaller; the rest is rounding.
+  /// The part of the remainder that is smaller on a narrower strip; the rest is rounding. Sum of both components [px].
+  double truncation = 0.0;
 };
 
-/// How many coefficients of a polynomial there are up to the last that is not 0.
+/// The number of coefficients of a polynomial up to the last that is not 0.
 inline std::size_t terms_of(const Polynomial& polynomial) {
   std::size_t terms = polynomial.size();
   while (terms > 0 && polynomial[terms - 1] == 0.0) --terms;
@@ -55,7 +57,7 @@ Field<N> field_of(const PolarSeriesOf<N>& centre, const PolarSeriesOf<N>& strip,
       }
       double truncation = strip.of[i][j][kOrder].magnitude() * power;
       remainder += truncation;
-      // Later sums in plain doubles: fewer than 64 roundings of numbers not larger than `size`.
+      // Allows for later sums in plain doubles: fewer than 64 roundings of numbers of at most `size`.
       constexpr double kRoundings = 64.0;
       remainder = remainder * (1.0 + 1e-12) + kRoundings * kRoundOff * size;
       const Ball& plain = strip.of[i][j][0];

@@ -13,7 +13,8 @@
 
 namespace fca::internal {
 
-/// The order of the remainder. Errors of 1e-9 px need about (1e-9 / 500)^(1 / n) of a lens's distance to its next singularity.
+/// The order of the remainder. For an error of 1e-9 px a strip may be about (1e-9 / 500)^(1 / n) of the distance to the lens's
+/// next singularity.
 inline constexpr std::size_t kOrder = 10;
 
 struct Series {
@@ -58,7 +59,7 @@ inline Series operator*(const Series& a, const Series& b) {
   return result;
 }
 
-/// a x in place of a * x where x = x_0 + t is the variable itself.
+/// a x, faster than a * x, where x = x_0 + t is the variable itself.
 inline Series times_variable(const Series& a, const Ball& x0) {
   Series result;
   result[0] = a[0] * x0;
@@ -89,7 +90,7 @@ inline Series sqrt(const Series& a) {
   return result;
 }
 
-/// The function of that derivative and that value at the centre.
+/// The function with the given derivative, and the given value at the centre.
 inline Series integral(const Series& derivative, const Ball& value) {
   Series result;
   result[0] = value;

@@ -24,7 +24,8 @@ using internal::PixelJacobian;
 
 using Samples = std::vector<std::vector<Correspondence>>;
 
-/// Where a parameter of a model stands among those of all: lens parameters first, then each camera's own.
+/// The index of a camera's parameter among the unknowns: first the lens parameters, which all cameras share, then the other
+/// parameters of each camera.
 Index place_of(std::span<const Parameter> parameters, std::size_t parameter, std::size_t camera) {
   Index lens = 0;
   Index own = 0;
@@ -44,7 +45,7 @@ Index number_of_unknowns(std::span<const Parameter> parameters, std::size_t came
   return lens + static_cast<Index>(cameras) * own;
 }
 
-/// The models with all parameters as they are in `unknowns`.
+/// The models with their parameters taken from `unknowns`.
 std::vector<CameraModel> models_of(std::span<const CameraModel> like, const double* unknowns) {
   const std::span<const Parameter> parameters = model_info(like.front()).parameters;
   std::vector<CameraModel> models(like.begin(), like.end());
@@ -55,7 +56,7 @@ std::vector<CameraModel> models_of(std::span<const CameraModel> like, const doub
   return models;
 }
 
-/// Of models that share their lens parameters.
+/// The unknowns of models that already share their lens parameters.
 std::vector<double> unknowns_of(std::span<const CameraModel> models) {
   const std::span<const Parameter> parameters = model_info(models.front()).parameters;
   std::vector<double> unknowns(static_cast<std::size_t>(number_of_unknowns(parameters, models.size())));
@@ -67,7 +68,7 @@ std::vector<double> unknowns_of(std::span<const CameraModel> models) {
   return unknowns;
 }
 
-/// Of all cameras; false where one is none or a ray has no pixel.
+/// Sums the normal equations of all cameras. False if a model is not valid or a ray has no pixel.
 bool sum_up(std::span<const CameraModel> models, const Samples& samples, internal::NormalEquations& sums) {
   const std::span<const Parameter> parameters = model_info(models.front()).parameters;
   const Index count = number_of_unknowns(parameters, models.size());
@@ -89,7 +90,7 @@ struct Found {
   std::vector<CameraModel> models;
   double cost = std::numeric_limits<double>::infinity();
 };
-/// From models that share their lens parameters. Nothing where they do not reach all samples.
+/// Minimises from models that already share their lens parameters; nullopt if a sample has no pixel at the start.
 std::optional<Found> minimised(std::span<const CameraModel> start, const Samples& samples) {
   std::vector<double> unknowns = unknowns_of(start);
   const internal::Minimum minimum = internal::minimise(
@@ -123,7 +124,7 @@ std::optional<std::vector<CameraModel>> fit_common_lens(std::span<const Camera> 
     constexpr int kSamples = 800;
     samples.push_back(internal::weighted_samples(counted, source.model, *domain, kSamples).samples);
   }
-  // From each camera's lens.
+  // One fit starts from each camera's lens parameters.
   std::optional<Found> best;
   for (std::size_t i = 0; i < start.size(); ++i) {
     std::vector<CameraModel> models(start.begin(), start.end());

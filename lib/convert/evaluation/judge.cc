@@ -33,8 +33,8 @@ void add_pixels(const Scorer& scorer, Summary& summary) {
   }
 }
 
-/// Is the error next to nothing but for a few places, of which a lattice has too few points to sum over it? Of large images,
-/// whose pixels take their time, only where it has far too few.
+/// True if the error is near 0 except in a few places, where a lattice has too few points for its sums to be right. Scoring
+/// every pixel of a large image takes long, so that the maximum must then exceed the rms by more.
 bool is_steep(const ErrorSummary& error, const ImageSize& size) {
   constexpr long long kSmall = 500'000;
   constexpr long long kLarge = 2'000'000;
@@ -45,7 +45,8 @@ bool is_steep(const ErrorSummary& error, const ImageSize& size) {
   return pixels <= kLarge && error.max > kNobodySees && error.max > (pixels <= kSmall ? kSteep : kVerySteep) * error.rms;
 }
 
-/// Errors summed over all pixels in place of the lattice's; what part of the image they are of stays as it is.
+/// Replaces the error sums of the lattice by sums over all pixels. The coverage, which gives shares of the image, stays the
+/// lattice's.
 void sum_over_pixels(const Scorer& scorer, Judgement& judgement) {
   constexpr int kBinsPerOctave = 64;
   Summary summary(kBinsPerOctave);
@@ -83,7 +84,7 @@ Score score_every_pixel(const Scorer& scorer) {
   coverage.scored_pixels = summary.count(Verdict::kScored);
   coverage.outside_lens_pixels = summary.count(Verdict::kOutsideLens);
   coverage.unrepresentable_pixels = summary.count(Verdict::kUnrepresentable);
-  // The worst place may lie between pixels, on the edge of a round domain, where the lattice has points.
+  // The largest error may lie between pixels, on the edge of a round domain. The lattice has points on that edge.
   const std::vector<Point> beside = score_on_lattice(scorer).worst;
   score.worst.insert(score.worst.end(), beside.begin(), beside.end());
   std::ranges::sort(score.worst, std::ranges::greater{}, &Point::error);

@@ -15,7 +15,8 @@ void LatticePoints::finish() {
   count_ = 0;
 }
 
-/// From one verdict to another an error jumps, and what is not scored has none.
+/// The error jumps between neighbours with different verdicts, so their row is cut there. Points that are not scored get the
+/// error 0.
 void LatticePoints::part_verdicts() {
   for (std::size_t i = 0; i < count_; ++i) {
     if (i > 0 && batch_.verdict[i] != batch_.verdict[i - 1]) joined_[i] = 0.0;
@@ -23,10 +24,10 @@ void LatticePoints::part_verdicts() {
   }
 }
 
-/// A point in a row stands for the errors half way to its neighbours.
+/// Sets the spread of each point: the range of errors from half way to the one neighbour in its row to half way to the other.
 void LatticePoints::find_spreads() {
   const Batch::Lane& error = batch_.error;
-  std::array<double, Batch::kSize + 1> rise;  // from the point before
+  std::array<double, Batch::kSize + 1> rise;  // error minus that of the previous point in the row
   rise[0] = 0.0;
   rise[count_] = 0.0;
   for (std::size_t i = 1; i < count_; ++i) rise[i] = joined_[i] * (error[i] - error[i - 1]);

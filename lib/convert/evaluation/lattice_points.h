@@ -11,12 +11,12 @@
 
 namespace fca::internal {
 
-/// Points that are scored and handed on as soon as they fill a batch.
+/// Collects points; scores them and passes them to the sink as soon as they fill a batch.
 class LatticePoints {
  public:
   LatticePoints(const Scorer& scorer, const LatticeSink& sink) : scorer_(scorer), sink_(sink) {}
 
-  /// A point for itself.
+  /// Adds a point that belongs to no row: its spread is 0.
   void add(const Pixel& pixel, double weight) {
     if (count_ == Batch::kSize) finish();
     batch_.u[count_] = pixel[0];
@@ -25,7 +25,7 @@ class LatticePoints {
     joined_[count_++] = 0.0;
     ++added_;
   }
-  /// Points along a line, from 0 to 1: no more than a batch holds.
+  /// Adds a row of points on a line. `places` are fractions of the line's length, from 0 to 1. At most Batch::kSize points.
   void add_row(const Line& line, std::span<const double> places, std::span<const double> weights) {
     if (count_ + places.size() > Batch::kSize) finish();
     const double right = line.to[0] - line.from[0];
@@ -42,9 +42,9 @@ class LatticePoints {
     count_ += places.size();
     added_ += places.size();
   }
-  /// Hands on what there is.
+  /// Scores the points of the unfinished batch and passes them to the sink.
   void finish();
-  /// So far.
+  /// The number of points added so far.
   [[nodiscard]] std::size_t added() const { return added_; }
 
  private:
@@ -54,7 +54,7 @@ class LatticePoints {
   const Scorer& scorer_;
   const LatticeSink& sink_;
   Batch batch_;
-  std::array<double, Batch::kSize + 1> joined_{};  ///< 1: in a row with the point before.
+  std::array<double, Batch::kSize + 1> joined_{};  ///< 1 if the point is in one row with the previous point, otherwise 0.
   std::size_t count_ = 0;
   std::size_t added_ = 0;
 };

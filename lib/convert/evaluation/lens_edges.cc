@@ -10,18 +10,19 @@ namespace fca::internal {
 
 namespace {
 
-/// So that rounding keeps it in the domain. Where a lens folds, the radius hardly changes with the angle, and less does not.
+/// Factors that keep points on an edge inside the domain in spite of rounding. Where a lens folds, the radius hardly changes
+/// with the angle, so that an angle needs the larger margin there.
 constexpr double kInside = 1.0 - 1e-9;
 constexpr double kInsideFold = 1.0 - 1e-7;
 
-/// The angle up to which pixels are scored, a hair inside.
+/// The angle from the axis [rad] up to which pixels are scored, less that margin.
 double scored_angle(const Scorer& scorer) {
   double fold = max_angle(*scorer.source().model());
   if (scorer.target() != nullptr) fold = std::min(fold, max_angle(*scorer.target()));
   return std::min(kInside * std::min(scorer.domain().max_angle_rad, scorer.target_reach_rad()), kInsideFold * fold);
 }
 
-/// Does the image have rays beyond that angle, or none in its corners? Angles are largest there.
+/// True if a corner of the image has no ray, or a ray beyond that angle. Angles are largest in the corners.
 bool ends_inside(const Scorer& scorer, double angle_rad) {
   const ImageSize& size = scorer.domain().size;
   for (const double u : {0.0, size.width - 1.0}) {

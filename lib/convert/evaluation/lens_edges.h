@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The edges of what is scored inside an image, where errors are often largest: none of the area, and lattices pass them by.
+// The edges inside an image at which scoring ends. Errors are often largest there. An edge has no area, so that a lattice has
+// few points on it.
 #pragma once
 
 #include "scorer.h"
@@ -10,19 +11,22 @@
 
 namespace fca::internal {
 
-/// Where what is scored ends inside the image.
+/// A curve in the image at which scoring ends.
 struct LensEdge {
-  /// Its pixel at an azimuth [rad], a hair inside; nothing where that lies outside the image.
+  /// The edge's pixel at an azimuth [rad] about the axis, slightly inside the scored region; nullopt if that pixel lies outside
+  /// the image.
   std::function<std::optional<Pixel>(double azimuth)> at;
-  /// Whether a scored point lies on it, as near as the lattice's do.
+  /// True if a scored point lies on this edge, or as near to it as the points that the lattice has there.
   std::function<bool(const Point& point)> passes;
 };
 
-/// Those of the cone of the domain, or of the target's reach inside it, and of the domain's circle, that may lie in the image.
-/// The source is a model, and the scorer outlives the edges.
+/// The edges that may lie in the image: one at the largest scored angle (of the domain, of the target's reach or of a model,
+/// whichever is smallest), and the rim of the domain's circle if it has one. The scorer's source must be a model. The edges
+/// refer to the scorer, which must outlive them.
 [[nodiscard]] std::vector<LensEdge> lens_edges(const Scorer& scorer);
 
-/// Scored points at so many azimuths, from 0 on; those outside the image are points with no verdict but kOutsideLens.
+/// Scores the edge at `azimuths` equally spaced azimuths, the first at 0. A point outside the image has the verdict
+/// kOutsideLens and no other values.
 [[nodiscard]] std::vector<Point> points_of(const Scorer& scorer, const LensEdge& edge, int azimuths);
 
 }  // namespace fca::internal

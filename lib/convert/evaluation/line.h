@@ -7,7 +7,7 @@
 
 namespace fca::internal {
 
-/// From one pixel, at 0, to another, at 1.
+/// A straight line between two pixels. A place on it is a fraction of its length: 0 at `from`, 1 at `to`.
 struct Line {
   Pixel from;
   Pixel to;

@@ -13,12 +13,13 @@ namespace {
 
 constexpr double kBandRad = Summary::kBandDegrees * std::numbers::pi / 180.0;
 
-/// Sine of half an angle from the axis: along a line of an image it is nearly linear.
+/// Sine of half the angle from the axis. Along a line of an image it is nearly linear, so that few steps find where it has a
+/// given value.
 double half_sine(double cosine) { return std::sqrt(std::max(0.0, 0.5 - 0.5 * cosine)); }
-/// Where there is no ray: more than any half sine.
+/// Stands for the half sine of a pixel without a ray: larger than any half sine.
 constexpr double kNone = 2.0;
 
-/// Of a step: to a twentieth of a pixel where a line has 2,500.
+/// How often a step of a line is halved: that finds a place to 1/20 px on a line of 2,500 px.
 constexpr int kHalvings = 12;
 
 double edge_at(double angle) { return angle < std::numbers::pi ? half_sine(std::cos(angle)) : 1.0; }
@@ -146,8 +147,8 @@ void LineCutter::cut_step(const Line& line, std::span<double> seen, std::size_t 
 }
 
 std::optional<double> LineCutter::crossing_of_edge(const Line& line, const Step& step, double edge) const {
-  constexpr double kClose = 0.01;  // of a half sine
-  constexpr double kFine = 1e-3;   // of a line; the next step would be a tenth of that, by a slope that was seen
+  constexpr double kClose = 0.01;  // difference of half sines
+  constexpr double kFine = 1e-3;   // fraction of the line: the next step would be a tenth of that
   constexpr double kVeryFine = 1e-5;
   const double whole = step.end - step.begin;
   double at = step.crossing(edge);

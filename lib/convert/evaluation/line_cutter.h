@@ -13,24 +13,24 @@
 
 namespace fca::internal {
 
-/// Cuts lines where they cross the borders of the angle bands and the edges of the domain and of the target's reach: between
-/// them nothing of a judgement jumps.
+/// Cuts lines where they cross the borders of the angle bands, the edge of the domain and the edge of the target's reach.
+/// Verdict and band are constant on each piece, so that its errors are smooth.
 class LineCutter {
  public:
   explicit LineCutter(const Scorer& scorer);
 
-  /// A part of a line.
+  /// A part of a line, from one fraction of its length to another.
   struct Piece {
     double begin;
     double end;
-    bool scored;  ///< Inside the lens and the target's reach.
+    bool scored;  ///< The piece lies inside the domain and inside the target's reach.
     [[nodiscard]] double share() const { return end - begin; }
   };
 
-  /// Looks along the lines, at kSteps + 1 places of each, if it must.
+  /// Computes the half sines at kSteps + 1 places of each line. Does nothing for a source whose borders have a closed form.
   void look_along(std::span<const Line> lines);
 
-  /// The pieces of line number `i` of those that were looked along.
+  /// The pieces of `line`, which was number `i` in the last call of look_along(). Valid until the next call.
   [[nodiscard]] std::span<const Piece> pieces(std::size_t i, const Line& line);
 
  private:
@@ -39,7 +39,7 @@ class LineCutter {
   [[nodiscard]] LineSpan lit_part(const Line& line) const;
   [[nodiscard]] double ask(const Pixel& pixel) const;
 
-  /// Without a search, where the source allows it.
+  /// Cuts a line by the closed form of RadialBorders, which must exist.
   void cut_at_radii(const Line& line);
 
   void end_piece(double at, bool scored) {
@@ -62,15 +62,16 @@ class LineCutter {
     begin_ = at;
   }
 
-  /// A step of a line: half sines at both ends, and how much the line bends.
+  /// One of the kSteps steps of a line: places (fractions of the line) and half sines at both ends, and the curvature between
+  /// them.
   struct Step {
     double begin;
     double end;
     double from;
     double to;
-    double bend;         ///< Second difference.
-    bool steep = false;  ///< One end is that of the rays: up to there the angle may be no parabola.
-    /// Where a border between from and to is crossed.
+    double bend;         ///< Second difference of the half sines.
+    bool steep = false;  ///< The rays end at one end of the step: the half sine may be far from a parabola there.
+    /// The place at which the half sine is `border`, a value between from and to.
     [[nodiscard]] double crossing(double border) const {
       const double rise = to - from;
       const double straight = (border - from) / rise;
@@ -83,11 +84,12 @@ class LineCutter {
 
   void cut_step(const Line& line, std::span<double> seen, std::size_t i);
 
-  /// Where the edge of what is scored is crossed in a step, as precisely as that asks for; nothing if the lens has no ray
-  /// there.
+  /// The place in a step at which the half sine is `edge`, to 1e-3 of the line's length. nullopt if the search leaves the step,
+  /// comes to a pixel without a ray, or does not converge.
   [[nodiscard]] std::optional<double> crossing_of_edge(const Line& line, const Step& step, double edge) const;
 
-  /// Shortens a step out of the domain to where that ends: mostly the lens bends on until there. False if it does not.
+  /// Shortens a step that leaves the domain, so that it ends at the domain's edge. False if that place was not found; `step` is
+  /// then unchanged.
   [[nodiscard]] bool end_at_lens(const Line& line, Step& step) const;
 
   [[nodiscard]] double place_of(const Line& line, const Step& step, double border) const {
@@ -98,23 +100,25 @@ class LineCutter {
     return step.from < step.to ? halve_to(line, border, step.begin, step.end) : halve_to(line, border, step.end, step.begin);
   }
 
-  /// Where a border is crossed on the way from `inside` to `outside`, by halving: where the angle is all but a line.
+  /// The place between `inside` and `outside` at which the half sine passes `border`, by halving. Used where the half sine is
+  /// far from linear.
   [[nodiscard]] double halve_to(const Line& line, double border, double inside, double outside) const;
 
-  /// From where the domain's rays end on the way from `there` (with a ray) to `none` (without): its place and half sine.
+  /// Finds where the domain's rays end between `there` (a place with a ray) and `none` (a place without). `none` becomes the
+  /// last place with a ray, `seen` its half sine.
   void find_last_ray(const Line& line, double there, double& none, double& seen) const;
 
   const Scorer& scorer_;
   // Half sines:
-  double lens_;    ///< of the domain's edge
-  double scored_;  ///< of the edge of what is scored
+  double lens_;    ///< of the domain's largest angle
+  double scored_;  ///< of the largest angle that is scored
   std::vector<double> borders_;
-  std::optional<RadialBorders> radial_;  ///< The edge of what is scored first, then all others; nothing: search.
+  std::optional<RadialBorders> radial_;  ///< The edge of the scored region first; nullopt: search for the borders.
   std::vector<double> places_;
   std::vector<double> seen_;
   std::vector<Piece> pieces_;
   double begin_ = 0.0;
-  LineSpan lit_{0.0, 1.0};  ///< Of the line in hand: what the domain's circle holds.
+  LineSpan lit_{0.0, 1.0};  ///< The part of the current line inside the domain's circle; all of it if there is no circle.
 };
 
 }  // namespace fca::internal

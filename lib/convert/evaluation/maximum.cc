@@ -13,10 +13,10 @@
 
 namespace fca::internal {
 
-/// Along eight directions, with steps down to a thousandth of a pixel.
+/// Compares the error in eight directions, with steps that shrink to 1e-3 px.
 Point climb(const Scorer& scorer, const Pixel& start) {
   constexpr double kFinestStep = 1e-3;      // px
-  constexpr std::size_t kMostPoints = 600;  // along a ring of nearly equal errors it would never end
+  constexpr std::size_t kMostPoints = 600;  // on a ring of nearly equal errors a climb would never end
   constexpr double kDiagonal = 0.7071067811865476;
   constexpr std::array<Pixel, 8> kDirections = {{{1, 0},
                                                  {-1, 0},
@@ -50,7 +50,7 @@ Point climb(const Scorer& scorer, const Pixel& start) {
 
 namespace {
 
-/// The band of a point, be it that no point of the lattice lies in it: next to no share of the image.
+/// The angle band of a point. Adds the band, with a share of 0, if the lattice has no point in it.
 ErrorBand& band_of(const Point& point, std::vector<ErrorBand>& bands) {
   constexpr double kBandRadians = Summary::kBandDegrees * std::numbers::pi / 180.0;
   constexpr auto kLast = static_cast<std::size_t>(180.0 / Summary::kBandDegrees) - 1;
@@ -74,7 +74,7 @@ void keep_if_worse(const Point& point, Judgement& result) {
 
 double error_of(const Point& point) { return point.verdict == Verdict::kScored ? point.error : -1.0; }
 
-/// To where the error is largest along an edge, near an azimuth.
+/// Climbs along an edge from the azimuth [rad] of `top`, in steps of at first `step` [rad], to a local maximum of the error.
 Point climb_along(const Scorer& scorer, const LensEdge& edge, double azimuth, double step, Point top) {
   constexpr double kFinest = 1e-5;  // rad
   while (step > kFinest) {
@@ -93,15 +93,16 @@ Point climb_along(const Scorer& scorer, const LensEdge& edge, double azimuth, do
   return top;
 }
 
-/// How much higher than its middle one of three neighbours on an edge a top between them may be. A parabola's is at most an
-/// eighth of the second difference above it; where the edge leaves the image, at one neighbour, nobody knows.
+/// Bound on how far the error may rise above `here` between three neighbours on an edge. The top of a parabola is at most 1/8
+/// of the second difference higher; twice that is allowed. If a neighbour is not scored (negative), nothing is known, and the
+/// error may double.
 double possible_rise(double before, double here, double behind) {
   constexpr double kNoParabola = 2.0;
   if (before < 0.0 || behind < 0.0) return here;
   return kNoParabola * 0.125 * std::abs(before - 2.0 * here + behind);
 }
 
-/// Where an edge leaves the image between an azimuth and its neighbour, a step (rad, signed) away.
+/// The last point of an edge inside the image between an azimuth [rad] and its neighbour at azimuth + `step`.
 Point end_of_edge(const Scorer& scorer, const LensEdge& edge, double azimuth, double step) {
   constexpr double kFinest = 1e-9;  // rad
   Point last;
@@ -115,7 +116,7 @@ Point end_of_edge(const Scorer& scorer, const LensEdge& edge, double azimuth, do
   return last.verdict == Verdict::kScored ? scorer.at(last.pixel) : last;
 }
 
-/// The tops of an edge that may be higher than what was seen.
+/// Climbs from those points of an edge near which the error may be larger than the largest so far.
 void climb_edge(const Scorer& scorer, const LensEdge& edge, Judgement& result) {
   constexpr int kAzimuths = 120;
   constexpr double kSpacing = 2.0 * std::numbers::pi / kAzimuths;
@@ -139,7 +140,8 @@ void climb_edge(const Scorer& scorer, const LensEdge& edge, Judgement& result) {
   keep_if_worse(climb(scorer, best.pixel), result);
 }
 
-/// Climbs from the points, the worst first, but not twice up the same hill, nor where an edge was climbed along.
+/// Climbs from the points, the worst first. Omits points near an earlier start or its top, and points on an edge, which
+/// climb_edge() has searched.
 void climb_from(const Scorer& scorer, std::span<const Point> points, std::span<const LensEdge> edges, std::size_t most,
                 Judgement& result) {
   const ImageSize& size = scorer.domain().size;
@@ -160,15 +162,16 @@ void climb_from(const Scorer& scorer, std::span<const Point> points, std::span<c
 
 }  // namespace
 
-/// Along the edges of what is scored, which a climb does not follow, and from the worst points. With a bound, the search for it
-/// looks everywhere: it ends at most 1 % below the maximum, and one more climb leads up there.
+/// Climbs along the edges of the scored region, which climb() cannot follow, and from the worst points. The search for the
+/// bound covers the whole domain: the largest error that it meets is at most 1 % below the maximum, and one more climb from
+/// there finds that.
 void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove, Judgement& result) {
   if (worst.empty()) return;
   constexpr std::size_t kAll = 12;
   constexpr std::size_t kFew = 4;
   const CameraModel* source = scorer.source().model();
   const bool provable = prove && source != nullptr && scorer.target() != nullptr;
-  // Where the source is no model, its edge is where climbing ends, too.
+  // A source that is no model has no known edge: the climbs end at it like anywhere else.
   std::vector<LensEdge> edges;
   if (source != nullptr) edges = lens_edges(scorer);
   for (const LensEdge& edge : edges) climb_edge(scorer, edge, result);
@@ -179,7 +182,7 @@ void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove
   if (proof.seen > climbed) {
     keep_if_worse(climb(scorer, proof.seen_at), result);
   }
-  // What was measured is an error, too, even where rounding had its part in it.
+  // Rounding may put a measured error above the proven bound. It is an error all the same.
   result.error.bound = std::max(proof.bound, result.error.max);
 }
 

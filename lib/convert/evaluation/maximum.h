@@ -7,11 +7,11 @@
 
 namespace fca::internal {
 
-/// The top of the hill of errors on whose slope the pixel lies.
+/// The local maximum of the error that a climb from the pixel `start` reaches.
 [[nodiscard]] Point climb(const Scorer& scorer, const Pixel& start);
 
-/// Replaces the largest error of `result` by the largest one nearby, between the points that were scored, and proves a bound
-/// where that is asked and the target is a model. `worst`: points to start from, the worst first.
+/// Replaces the largest error of `result` by a local maximum between the scored points, if that is larger. With `prove`, and if
+/// source and target are both models, also proves an upper bound of the error. `worst`: points to climb from, the worst first.
 void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove, Judgement& result);
 
 }  // namespace fca::internal

@@ -12,14 +12,16 @@ namespace fca::internal {
 
 namespace {
 
-/// Is a pixel's azimuth about the principal point that of its ray, whatever the angle? Unknown of a model without polar form.
+/// True if the azimuth of a pixel about the principal point depends only on the azimuth of its ray, not on the ray's angle from
+/// the axis. False for models without a polar form, of which that is not known.
 bool is_radial(const CameraModel& model) {
   return std::visit(
       []<class M>(const Intrinsics<M>& m) {
         if constexpr (HasPolarForm<M>) {
           PolarSeries form;
           M::polar_form(m.values.data(), angle_series({0.1, 0.0}), form);
-          const auto moves = [](const Series& centre) {  // with the angle: a thin prism
+          // True if the centre moves with the angle, as with thin prism distortion.
+          const auto moves = [](const Series& centre) {
             return std::ranges::any_of(centre.c.begin() + 1, centre.c.end(), [](const Ball& c) { return c.mid != 0.0; });
           };
           constexpr std::size_t kFirstOfTwice = 3;  // cos 2phi, sin 2phi: tangential distortion (bound/polar.h)
@@ -57,7 +59,7 @@ LineSpan LinePast::inside(double radius) const {
 std::optional<RadialBorders> RadialBorders::of(const Lens& source, std::span<const double> angles) {
   const CameraModel* model = source.model();
   if (model == nullptr || !is_radial(*model)) return std::nullopt;
-  // An angle of which every lens has pixels, or half of what this one has.
+  // An angle [rad] at which the model has pixels.
   const double last = max_angle(*model);
   const double unit = std::min(0.5, 0.5 * last);
   const std::optional<Pixel> right = pixel_at(*model, unit, 0.0);
@@ -70,7 +72,7 @@ std::optional<RadialBorders> RadialBorders::of(const Lens& source, std::span<con
   const double inverse = 1.0 / (from_plane[0] * from_plane[3] - from_plane[1] * from_plane[2]);
   if (!std::isfinite(inverse)) return std::nullopt;
   result.to_plane_ = {from_plane[3] * inverse, -from_plane[1] * inverse, -from_plane[2] * inverse, from_plane[0] * inverse};
-  constexpr double kInside = 1.0 - 1e-9;  // the last angle itself may have no pixel
+  constexpr double kInside = 1.0 - 1e-9;  // at the largest angle itself there may be no pixel
   for (const double angle : angles) {
     const std::optional<Pixel> pixel = pixel_at(*model, std::min(angle, last * kInside), 0.0);
     if (!pixel) return std::nullopt;

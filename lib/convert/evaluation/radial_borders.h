@@ -12,17 +12,17 @@
 
 namespace fca::internal {
 
-/// The part of a line inside a border; empty (end < begin) where there is none.
+/// The part of a line inside a border, as fractions of the line's length; empty (end < begin) if the line does not meet it.
 struct LineSpan {
   double begin = 1.0;
   double end = 0.0;
   [[nodiscard]] bool holds(double place) const { return place >= begin && place <= end; }
 };
 
-/// A line in the plane in which borders are circles about a centre: which part of it a circle holds.
+/// A line in the plane in which the borders are circles about the origin. Computes the part of the line inside a circle.
 class LinePast {
  public:
-  /// start: vector from the centre to the line's begin; way: vector from its begin to its end.
+  /// `start`: the line's begin; `way`: the vector from its begin to its end.
   LinePast(const std::array<double, 2>& start, const std::array<double, 2>& way);
   [[nodiscard]] LineSpan inside(double radius) const;
 
@@ -32,12 +32,12 @@ class LinePast {
   double across_;          ///< The squared distance of that place from the centre, in units of |way|^2.
 };
 
-/// The curves on which the pixels of given angles from the axis lie. Without tangential distortion they are ellipses about the
-/// principal point with the same axes' ratio, so that a linear map makes circles of them, and where a line crosses them has a
-/// closed form.
+/// The image curves of given angles from the axis. Without tangential distortion they are ellipses about the principal point
+/// with one common ratio of axes. A linear map then turns them into circles, and a line crosses them at places with a closed
+/// form.
 class RadialBorders {
  public:
-  /// Nothing if the source's curves are no such ellipses. For angles [rad] beyond the source's largest, its largest is taken.
+  /// nullopt if the source's curves are not such ellipses. An angle [rad] beyond the source's largest counts as that.
   [[nodiscard]] static std::optional<RadialBorders> of(const Lens& source, std::span<const double> angles);
 
   [[nodiscard]] LinePast past(const Line& line) const;
@@ -48,7 +48,7 @@ class RadialBorders {
   [[nodiscard]] std::array<double, 2> in_plane(double right, double down) const;
 
   Pixel centre_{};
-  std::array<double, 4> to_plane_{};  ///< Makes circles of the ellipses; row by row.
+  std::array<double, 4> to_plane_{};  ///< The 2 x 2 linear map from ellipses to circles; row-major.
   std::vector<double> radii_;
 };
 

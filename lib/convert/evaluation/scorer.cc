@@ -10,11 +10,11 @@ namespace fca::internal {
 
 namespace {
 
-/// How well a model's last angle is known. Past it project() would say no, too, but only after looking for it: slow for
-/// polynomials. What is closer, rounding included, is left to project().
+/// Error [rad] allowed for a model's largest angle. Rays beyond it have no pixel, but project() of polynomials takes long to
+/// find that out. Only rays within this distance of the largest angle are left to project().
 constexpr double kLastAngleSlack = 1e-7;
 
-/// A cosine that no ray exceeds.
+/// A cosine above that of every ray: no ray is then known to be scored before a closer look.
 constexpr double kNowhere = 2.0;
 
 }  // namespace

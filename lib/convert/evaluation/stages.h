@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The judge in two stages: a conversion that refits on more samples needs the first for each fit, and the second once.
+// The evaluation in two stages. A conversion that refits on more samples needs the first stage for each fit, and the second
+// only once.
 #pragma once
 
 #include "scorer.h"
@@ -8,7 +9,7 @@
 
 namespace fca::internal {
 
-/// A judgement without polished maximum and bound, and the points from which to look for them.
+/// An evaluation before its maximum is polished and its bound proven, and the points at which to begin that.
 struct Score {
   Judgement judgement;
   std::vector<Point> worst;
@@ -17,8 +18,8 @@ struct Score {
 [[nodiscard]] Score score_on_lattice(const Scorer& scorer);
 [[nodiscard]] Score score_every_pixel(const Scorer& scorer);
 
-/// Everything a judgement says, from what the lattice says; of every pixel if the options say so, or where the worst error is
-/// so far above the others that a lattice cannot tell how often it is met.
+/// The second stage: completes the result of score_on_lattice(). Scores every pixel instead if the options ask for it, or if
+/// the largest error is so far above the rms that a lattice cannot tell how many pixels are near it.
 [[nodiscard]] Judgement judge_all(const Scorer& scorer, Score lattice, const JudgeOptions& options);
 
 }  // namespace fca::internal

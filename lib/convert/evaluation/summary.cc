@@ -12,10 +12,10 @@ namespace fca::internal {
 
 namespace {
 
-/// No cosine is above it, and none below its negative.
+/// Above every cosine; its negative is below every cosine.
 constexpr double kAnyCosine = 2.0;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-// Errors outside 2^-60 .. 2^20 px count as these.
+// Errors outside 2^-60 .. 2^20 px are counted in the first or the last bin.
 constexpr int kSmallestOctave = -60;
 constexpr int kOctaves = 80;
 constexpr int kMantissaBits = 52;
@@ -31,8 +31,8 @@ Summary::Summary(int bins_per_octave)
   band_cosine_.back() = -kAnyCosine;
 }
 
-/// The leading bits of a double, exponent and first bits of the mantissa, count bins of equal ratio (nearly), without a
-/// logarithm.
+/// The leading bits of a double (its exponent and the first bits of its mantissa) number bins of nearly equal ratio, without
+/// the cost of a logarithm.
 void Summary::find_bins(const Batch& batch, std::size_t count, BinsOfPoints& found) const {
   const int shift = kMantissaBits - bin_bits_;
   const auto first = static_cast<std::int32_t>((kExponentBias + kSmallestOctave) << bin_bits_);
@@ -79,8 +79,8 @@ void Summary::add(const Batch& batch, std::size_t count) {
   }
 }
 
-/// Neighbours are mostly of one band: adds the points from `begin` on that are scored and of the first one's, and returns the
-/// end of these.
+/// Adds consecutive scored points that are in the band of the first one, number `begin`, and returns the index after the last
+/// of them. Neighbours are mostly in one band, so that this runs in long loops.
 std::size_t Summary::add_band(const Batch& batch, std::size_t begin, std::size_t count, const BinsOfPoints& in) {
   const std::size_t at = band_of(batch.z[begin]);
   const double from = at > 0 ? band_cosine_[at - 1] : kAnyCosine;

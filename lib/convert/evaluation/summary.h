@@ -9,16 +9,17 @@
 
 namespace fca::internal {
 
-/// Sums over scored points, which may come in pieces: shares, moments, angle bands, percentiles, and the worst points.
+/// Sums over scored points, added batch by batch: shares of the image, moments, angle bands, percentiles and the worst points.
 class Summary {
  public:
-  /// `bins_per_octave`: how finely errors are sorted; percentiles are exact to a factor 2^(1 / bins_per_octave).
+  /// `bins_per_octave`: the number of bins between an error and its double, a power of 2. Percentiles are exact to a factor of
+  /// 2^(1 / bins_per_octave).
   explicit Summary(int bins_per_octave);
 
   void add(const Batch& batch, std::size_t count);
-  /// All but bound; the maximum is the worst point's.
+  /// The evaluation result without a bound. Its maximum is the error of the worst point.
   [[nodiscard]] Judgement judgement(const Domain& domain) const;
-  /// Sorted, the worst first.
+  /// The worst points, at most kWorst, the worst first.
   [[nodiscard]] const std::vector<Point>& worst() const { return worst_; }
   [[nodiscard]] long long count(Verdict verdict) const;
 
@@ -27,7 +28,7 @@ class Summary {
  private:
   static constexpr std::size_t kBands = 18;
   static constexpr std::size_t kWorst = 12;
-  /// The two errors for which each point of a batch stands, and their bins.
+  /// The two ends of the range of errors for which each point of a batch stands [px], and the bins of these errors.
   struct BinsOfPoints {
     Batch::Lane low, high;
     std::array<std::int32_t, Batch::kSize> low_bin, high_bin;
@@ -35,10 +36,10 @@ class Summary {
   void find_bins(const Batch& batch, std::size_t count, BinsOfPoints& found) const;
   std::size_t add_band(const Batch& batch, std::size_t begin, std::size_t count, const BinsOfPoints& in);
   [[nodiscard]] std::size_t band_of(double cosine) const;
-  /// The errors below which these shares of the scored weight lie; the shares rise.
+  /// The errors [px] below which these fractions of the scored weight lie. The fractions must be ascending.
   template <std::size_t N>
   [[nodiscard]] std::array<double, N> percentiles(const std::array<double, N>& shares) const;
-  /// What a point's error must exceed to be one of the worst.
+  /// The error [px] above which a point is among the worst; -1 while there is room for more points.
   [[nodiscard]] double smallest_bad() const;
   void keep_bad(const Point& point);
   [[nodiscard]] double weight(Verdict verdict) const;
@@ -51,13 +52,13 @@ class Summary {
   };
   struct Bin {
     double weight = 0.0;
-    double sum = 0.0;  ///< of weighted errors
+    double sum = 0.0;  ///< weighted errors [px]
   };
   int bin_bits_;  ///< Binary logarithm of the number of bins per octave.
   std::vector<Bin> bins_;
-  std::array<double, kBands> band_cosine_{};  ///< of the angle at which the band ends
+  std::array<double, kBands> band_cosine_{};  ///< Cosine of the largest angle of each band.
   std::array<Band, kBands> bands_{};
-  std::array<double, 2> weight_{};  ///< By verdict of what is not scored.
+  std::array<double, 2> weight_{};  ///< Weights of the points that are not scored, by verdict.
   std::array<long long, 2> count_{};
   double sum_ = 0.0;
   std::vector<Point> worst_;

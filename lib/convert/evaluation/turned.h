@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The judge of a fit that a turn of the camera is a part of.
+// Evaluates fits in which the camera was turned.
 #pragma once
 
 #include <fca/convert/domain.h>
@@ -9,12 +9,12 @@
 
 namespace fca::internal {
 
-/// `target` against the source, whose rays are turned by `T_target_source` first. A bound is proven for cameras with one axis
-/// only: there is none.
+/// Compares `target` with the source, whose rays `T_target_source` turns first. The result has no bound: bounds are proven only
+/// for a source and a target with the same axes.
 [[nodiscard]] Judgement judge_turned(const CameraModel& source, const CameraModel& target, const Transform& T_target_source,
                                      const Domain& domain, double reach_rad, bool every_pixel);
 
-/// Is as much of the image scored as before, but for what nobody notices?
+/// True if the scored share of the image after a change is at most 1e-3 smaller than before.
 [[nodiscard]] bool reaches_as_much(const Judgement& before, const Judgement& after);
 
 }  // namespace fca::internal

@@ -17,7 +17,8 @@ constexpr int kMostUnknowns = static_cast<int>(kMostTerms) + 3;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMostUnknowns, kMostUnknowns>;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostUnknowns, 1>;
 
-/// Solves A x = b by Cholesky's method, unknowns in units of their own weight; nothing where A is not positive definite.
+/// Solves A x = b by Cholesky's method, after scaling the unknowns so that A's diagonal is 1; nullopt if A is not positive
+/// definite.
 std::optional<Vector> solve_definite(const Matrix& A, const Vector& b) {
   const Vector diagonal = A.diagonal();
   if (!(diagonal.minCoeff() > 0.0)) return std::nullopt;
@@ -31,8 +32,8 @@ std::optional<Vector> solve_definite(const Matrix& A, const Vector& b) {
   return Vector(unit.cwiseProduct(solution));
 }
 
-/// The dot products of all pairs of one axis' columns: the model's terms, then ones (for cx or cy), times the roots of the
-/// weights.
+/// The dot products of all pairs of one axis' columns: the model's terms, then ones (for cx or cy), each times the square root
+/// of the points' weights.
 Matrix moments(std::span<const Column> columns) {
   const auto n = static_cast<Eigen::Index>(columns.size());
   Matrix result(n, n);
@@ -118,7 +119,7 @@ std::optional<AspectFit::Solution> AspectFit::solve(double aspect) {
     products(std::span(&r_u, 1), r_u, &cost_u);
     products(std::span(&r_v, 1), r_v, &cost_v);
     const double cost = cost_u + cost_v;
-    // It diverges if the cost grows by more than rounding does.
+    // The iteration diverges if the cost grows by more than rounding errors.
     constexpr double kExact = 1e-20;  // px^2
     if (!std::isfinite(cost) || (round > 1 && cost > previous * (1.0 + 1e-9) + kExact)) return std::nullopt;
     previous = cost;
@@ -132,7 +133,7 @@ std::optional<AspectFit::Solution> AspectFit::solve(double aspect) {
     gradient[n] = sums_u[n];
     gradient[n + 1] = sums_v[n];
     gradient[n + 2] = sums_v.head(n).dot(x.head(n));
-    // In round 0 all coefficients are 0, so that no pixel depends on the aspect ratio: it is left as it is.
+    // In round 0 all coefficients are 0, and no pixel depends on the aspect ratio, so that it is not an unknown yet.
     const Matrix H = hessian_at(x);
     const Eigen::Index unknowns = round == 0 ? n + 2 : n + 3;
     const std::optional<Vector> step = solve_definite(H.topLeftCorner(unknowns, unknowns), gradient.head(unknowns));

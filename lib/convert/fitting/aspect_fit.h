@@ -14,22 +14,22 @@
 
 namespace fca::internal {
 
-/// Terms and pixels of all points, times the root of the point's weight.
+/// Holds terms and pixels of all points, each times the square root of the point's weight.
 class AspectFit {
  public:
   AspectFit(std::size_t terms, std::size_t points) : terms_(terms), points_(points), numbers_((2 * terms + 3) * points) {}
 
-  /// `pixel` is best counted from about the principal point.
+  /// Sets one point. `pixel`: px, relative to a point near the principal point, which keeps rounding errors small.
   void set(std::size_t point, const double* terms_u, const double* terms_v, const std::array<double, 2>& pixel, double weight);
 
   struct Solution {
     std::array<double, kMostTerms> coefficients{};
     double aspect = 1.0;
-    std::array<double, 2> point{};  ///< cx, cy, from where the pixels are counted.
-    double cost = 0.0;              ///< Sum of weighted squared residuals.
+    std::array<double, 2> point{};  ///< cx, cy [px], relative to the same point as the pixels.
+    double cost = 0.0;              ///< Sum of weighted squared residuals [px^2].
     int iterations = 0;
   };
-  /// Nothing where the points do not determine the unknowns.
+  /// `aspect`: fy / fx to begin with. nullopt if the points do not determine the unknowns, or the iteration diverges.
   [[nodiscard]] std::optional<Solution> solve(double aspect);
 
  private:

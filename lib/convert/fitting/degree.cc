@@ -14,7 +14,7 @@ namespace fca::internal {
 
 namespace {
 
-/// The coefficients beyond the lowest degree.
+/// The coefficients that a model of the lowest degree does not have.
 std::vector<ParameterId> higher_terms(std::string_view model) {
   std::vector<ParameterId> terms;
   ModelList::for_each([&]<CameraModelType M>() {
@@ -27,7 +27,7 @@ std::vector<ParameterId> higher_terms(std::string_view model) {
   return terms;
 }
 
-/// Of the terms that the caller's ranges leave free, the number up to the last; nothing where the ranges speak of none.
+/// The number of terms up to the last one that the caller's ranges leave free; nullopt if no range names a term.
 std::optional<std::size_t> freed_by_ranges(const ConvertOptions& options, const std::vector<ParameterId>& terms) {
   std::optional<std::size_t> count;
   for (const ParameterRange& range : options.ranges) {
@@ -47,8 +47,8 @@ DegreeFit fit_with(const FitTask& task, const DegreeRanges& degree) {
   return {std::move(usual.fit), std::move(usual.ranges), degree.degree, std::move(usual.unusual)};
 }
 
-/// How many points of the image's border have a ray. A polynomial that turns inside the image, behind what it was fitted to,
-/// has no inverse there.
+/// The number of points of the image's border that have a ray. A fitted polynomial may have a maximum inside the image, outside
+/// the angles that it was fitted to; pixels beyond that have no ray.
 int rays_at_border(const DegreeFit& each, const ImageSize& size) {
   constexpr int kSteps = 8;  // along each side
   const double right = size.width - 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The degree of a polynomial that a camera is fitted as.
+// Chooses the degree of the polynomial of a fitted model.
 #pragma once
 
 #include "fit_domain.h"
@@ -8,31 +8,32 @@
 
 namespace fca::internal {
 
-/// Nobody looks for less of a polynomial's error, nor for a tenth less.
+/// A fit with a rms below 0.01 px, or at most 1.1 times that of the best degree, needs no higher degree.
 inline constexpr double kGoodEnoughPx = 0.01;
 inline constexpr double kNearlyAsGood = 1.1;
 
-/// A degree that a target may be fitted with, and the ranges which make it that.
+/// A degree that a target may be fitted with, and the ranges of parameters that lead to this degree.
 struct DegreeRanges {
-  int degree = 0;  ///< 0: the target has none to choose.
+  int degree = 0;  ///< 0 if the model has no degree to choose.
   std::vector<ParameterRange> ranges;
 };
 
-/// Those to choose from by the options, the lowest first. Where the options state a degree, or have a range for a coefficient
-/// beyond the lowest, or where the target has none, it is one.
+/// The degrees that the options allow, the lowest first. There is only one if the options set a degree or have a range for a
+/// coefficient beyond the lowest degree, or if the target has no degree to choose.
 [[nodiscard]] std::vector<DegreeRanges> degrees_to_try(const ModelInfo& target, const ConvertOptions& options);
 
 struct DegreeFit {
   DomainFit fit;
-  std::vector<ParameterRange> ranges;  ///< That it was made with.
-  int degree = 0;                      ///< 0: the target has none to choose.
+  std::vector<ParameterRange> ranges;  ///< The ranges of this fit.
+  int degree = 0;                      ///< 0 if the model has no degree to choose.
   std::vector<UnusualParameter> unusual;
 };
 
-/// fit_domain with task.options.degree. Without one: of all degrees the lowest whose rms is within 10 % of the best, or below
-/// 0.01 px, that reaches as much of the image as the lowest degree does, and turns nowhere inside it where that does not;
-/// behind it those of lower degrees, the highest first, for who wants more of a fit than that. Where the options have a range
-/// for a coefficient beyond the lowest degree, all of these are the caller's. At least one.
+/// Fits the target with the degree of task.options. Without one, chooses the lowest degree whose rms is within 10 % of the best
+/// or below 0.01 px. A degree that covers less of the image than the lowest one, or has rays at fewer pixels of the border, is
+/// not taken. The chosen fit is the first of the result. Those of lower degrees follow, the highest first, for a caller who
+/// needs more than a small rms. If the options have a range for a coefficient beyond the lowest degree, the caller's ranges
+/// alone decide, and there is one fit. At least one fit is returned; it may have no model.
 [[nodiscard]] std::vector<DegreeFit> fit_degrees(const FitTask& task);
 
 }  // namespace fca::internal

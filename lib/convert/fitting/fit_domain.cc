@@ -18,7 +18,7 @@ using Micros = std::chrono::duration<double, std::micro>;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double kAhead = std::numbers::pi / 2.0;
 
-/// Fits the target to about `count` samples of the domain: from its own starts, or where one to fewer samples ended.
+/// Fits the target to about `count` samples of the domain. Starts from `coarser`, a fit to fewer samples, unless it is null.
 SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = nullptr) {
   WeightedSamples weighted = weighted_samples(task.options.weight, task.camera.model, task.domain, count);
   std::vector<Correspondence>& samples = weighted.samples;
@@ -33,26 +33,26 @@ SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = null
   return result;
 }
 
-/// How many times worse, or better, the model is over the image than on the samples of its fit; 1 if nobody sees the
-/// difference. One that bends faster than they lie (rational beyond 70 degrees) can be twice as bad, and one that is better was
-/// fitted to the few of them that are the worst.
+/// The larger of the rms over the image and the rms on the fit's samples, divided by the smaller one; 1 if the difference is
+/// below 1e-6 px. A model that bends faster than the samples are dense (rational beyond 70 degrees) can be twice as bad over
+/// the image. One that is better over the image was fitted to a few samples that happen to be the worst.
 double other_than_on_samples(double rms_px, const FittedModel& fitted) {
   constexpr double kNobodySees = 1e-6;  // px
   const auto [less, more] = std::minmax(rms_px, fitted.rms_px);
   return !fitted.reaches_all || more <= less + kNobodySees ? 1.0 : more / less;
 }
 
-/// What the fit makes small, over the image.
+/// The rms over the image [px], with the weights that the fit minimises.
 double rms_of(const FitTask& task, const SampledFit& fitted, const Judgement& judgement) {
   if (counts_alike(task.options.weight)) return judgement.error.rms;
   return weighted_rms(task.options.weight, task.camera.model, fitted.model->model, task.domain, fitted.reach_rad);
 }
 
-/// The fit to the domain, its error being that of the image: on more samples, while that helps. Not scored where it does not
-/// reach every sample.
+/// Fits the target to the domain and scores it over the image. Repeats that on more samples while it helps. A fit that does not
+/// reach every sample is not scored.
 DomainFit fit_and_score(const FitTask& task) {
   constexpr int kMostDoublings = 3;
-  constexpr double kAlike = 1.01;  // the lattice itself tells no more
+  constexpr double kAlike = 1.01;  // ratio of rms; the lattice is no more exact than that
   constexpr double kVeryUnlike = 1.2;
   constexpr double kHelps = 0.999;
   constexpr double kNobodySees = 1e-4;  // px
@@ -78,20 +78,21 @@ DomainFit fit_and_score(const FitTask& task) {
       result.score = std::move(score);
       result.rms_px = rms_px;
     }
-    // Poles lie where they fit the samples, and samples and image may agree by chance.
+    // A fit places poles where they cost nothing at the samples, and the errors at samples and image may agree by chance: such
+    // a model is always fitted a second time.
     if (is_first && has_poles(task.target.id) && rms_px > kNobodySees) continue;
     if (unlike <= (helps ? kAlike : kVeryUnlike) && !(helps && misses_edge)) break;
   }
   return result;
 }
 
-/// Does the model have a pixel for every ray of the domain, but for its very edge? The radius then grows with the angle as far:
-/// a model ends where it does not.
+/// True if the model has a pixel for every ray of the domain except at its very edge (kVeryEdge). Its image radius then grows
+/// up to there, since a model's domain ends where the radius stops growing.
 bool reaches(const DomainFit& fit) {
   return fit.fitted.model && fit.fitted.model->reaches_all && fit.score.judgement.coverage.unrepresentable <= kVeryEdge;
 }
 
-/// The fit without the coefficient that bends the radius back, made when it is first asked for.
+/// The fit without the coefficient that may bend the image radius back. It is made when first needed.
 class PlainerFit {
  public:
   explicit PlainerFit(const FitTask& task) : task_(task), coefficient_(bends_back(task.target.id)) {
@@ -101,9 +102,10 @@ class PlainerFit {
     if (coefficient_ && std::ranges::any_of(task.options.ranges, is_held)) coefficient_.reset();
   }
 
-  /// Is the plainer fit better over its own cone than one that reaches further?
+  /// True if the fit without the coefficient covers a smaller cone and is better inside it than `fit`, which covers more.
   bool is_better_than(const DomainFit& fit) {
-    constexpr double kNeverWorse = 0.5;  // px; one that ends before the whole is nearly at its limit of 1 px
+    // px. A plainer fit that ends before the whole domain has nearly reached its limit of 1 px.
+    constexpr double kNeverWorse = 0.5;
     if (!coefficient_ || fit.score.judgement.error.rms <= kNeverWorse) return false;
     if (!made_) make();
     if (!made_->fitted.model || made_->fitted.reach_rad >= fit.fitted.reach_rad) return false;
@@ -125,14 +127,14 @@ class PlainerFit {
   std::optional<DomainFit> made_;
 };
 
-/// The rule of fit_domain.h, which decides over the whole domain and over each cone.
+/// True if the fit describes its domain, or its cone, by the rule in fit_domain.h.
 bool describes(const FitTask& task, const DomainFit& fit, PlainerFit& plainer) {
   constexpr double kLimitRms = 1.0;  // px
   if (!reaches(fit)) return false;
   return !sees_ahead_only(task.target.id) || (fit.rms_px <= kLimitRms && !plainer.is_better_than(fit));
 }
 
-/// The fit inside that angle, judged there.
+/// The fit to the cone of that half angle, scored inside the cone.
 DomainFit fit_cone(const FitTask& task, double degrees) {
   Domain cone = task.domain;
   cone.max_angle_rad = std::min(cone.max_angle_rad, degrees * kRadiansPerDegree);
@@ -141,8 +143,9 @@ DomainFit fit_cone(const FitTask& task, double degrees) {
   return result;
 }
 
-/// The largest cone narrower than `below_rad` that the target describes, found in steps of 5 degrees and to a degree; failing
-/// that, the widest of the steps that it reaches; failing that, no model.
+/// The fit to the largest cone narrower than `below_rad` that the target describes, searched for in steps of 5 degrees, then to
+/// 1 degree. If there is none, the fit to the widest cone of the steps for which it has all pixels. If there is none either,
+/// the result has no model.
 DomainFit fit_largest_cone(const FitTask& task, double below_rad, PlainerFit& plainer) {
   constexpr int kNarrowestDeg = 5;
   constexpr int kStepDeg = 5;
@@ -200,11 +203,11 @@ DomainFit fit_domain(const FitTask& task) {
   if (cone.fitted.model && (!reaches(result) || describes(task, cone, plainer))) {
     result = std::move(cone);
   } else if (!result.fitted.model) {
-    result = fit_and_score(task);  // what sees ahead only, to what of the lens lies there
+    result = fit_and_score(task);  // a pinhole-like model: to the part of the domain in front of the camera
   }
   result.time = time;
   if (const std::optional<FittedModel>& model = result.fitted.model) {
-    // A cone was scored as if the domain ended with it.
+    // A cone's fit was scored inside the cone only; the reported error is that over the whole domain.
     result.score = score_on_lattice({task.camera.model, &model->model, nullptr, task.domain, result.fitted.reach_rad});
     result.rms_px = rms_of(task, result.fitted, result.score.judgement);
   }

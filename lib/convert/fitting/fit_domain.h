@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One camera fitted as another model over a domain: the whole of it or, where the target cannot describe that, the largest cone
-// around the axis on which it can.
+// Fits a camera as another model over a domain: the whole domain or, where the target cannot describe that, the largest cone
+// around the axis that it can describe.
 #pragma once
 
 #include "../evaluation/stages.h"
@@ -16,47 +16,53 @@
 
 namespace fca::internal {
 
-/// What is fitted to what.
+/// The input of a fit: `camera` is fitted as the model `target`.
 struct FitTask {
   const Camera& camera;
   const ModelInfo& target;
   const ConvertOptions& options;
   const Domain& domain;
-  LensCentre centre;  ///< Of the camera.
+  LensCentre centre;  ///< Focal lengths and principal point of the camera.
 };
 
-/// A fit, the number of samples it was made on, and the angle up to which it counts.
+/// A fit, its number of samples, and the angle from the axis up to which it is valid.
 struct SampledFit {
-  std::optional<FittedModel> model;  ///< Nothing where no start led to a camera, or the samples are too few for one.
+  std::optional<FittedModel> model;  ///< nullopt if no start led to a camera, or there are too few samples.
   std::size_t samples = 0;
-  double reach_rad = std::numbers::pi;  ///< A cone's angle; pi where the whole domain was fitted.
+  double reach_rad = std::numbers::pi;  ///< The half angle of the fitted cone; pi if the whole domain was fitted.
 };
 
-/// The fit that a conversion reports, what the judge's lattice says of it, and how long the search took.
+/// The fit that a conversion reports, its error on the lattice, and the time of the search.
 struct DomainFit {
   SampledFit fitted;
   Score score;          ///< Empty without a model.
-  double rms_px = 0.0;  ///< What the fit made small, over the image: of `score`, or weighted as the options say.
+  double rms_px = 0.0;  ///< The rms over the image that the fit minimises: that of `score`, or weighted by the options' weight.
   std::chrono::duration<double, std::micro> time{};
 };
 
-/// Are there too few samples to fit that model?
+/// True if the samples give fewer equations (two each) than the target has parameters.
 [[nodiscard]] bool too_few(std::size_t samples, const ModelInfo& target);
 
-/// Without options.cone no model where it does not describe the whole domain.
+/// Fits the target to the domain. If it does not describe the whole domain, the result is a fit to a cone or, without
+/// options.cone, has no model.
 ///
-/// Fits on options.samples samples, and on twice as many while the model is worse or better between them and that helps.
+/// Fits to options.samples samples. Doubles their number while the error over the image differs from that on the samples and
+/// more samples help.
 ///
-/// The whole domain or a cone: the largest that the target describes, and "describes" means the same for both.
-/// - What sees ahead only (pinhole, radtan, rational) must have a pixel for every ray and stay under 1 px rms: its error grows
-///   without limit towards 90 degrees, so that there always is an angle beyond which the whole is spoiled for an edge. With a
-///   coefficient that bends its radius back (radtan's k3) it must not be worse, over the cone of the fit without it, than that.
-/// - Every other model must have a pixel for every ray, at whatever error: nearly always a fit of it has one, and a limit of
-///   the error would give up parts of a lens that the user may need; what is lens and what black corner is the user's to say
-///   (ConvertOptions::max_angle_rad). Where no fit was found that reaches the edge (ucm on a T265's black corners, 123 degrees
-///   from its axis), that is a cone, at whatever error as well.
-/// A wider domain can therefore never score less of the image: a cone that is described inside one angle is there inside every
-/// larger one, too. (Cones end at whole degrees; where no cone from 5 degrees on is described, the widest that is reached.)
+/// "Describes" means the same for the whole domain and for a cone, of which the largest described one is taken:
+/// - A model that sees only what is ahead (pinhole, radtan, rational) must have a pixel for every ray and an rms of at most 1
+/// px. Its
+///  error grows without limit towards 90 degrees, so that beyond some angle it would spoil the whole fit for the sake of the
+///  edge. If it has a coefficient that may bend its radius back (radtan's k3), it must also be at least as good as the fit
+///  without that coefficient, inside that fit's cone.
+/// - Every other model must have a pixel for every ray, at any error. Nearly always a fit of it has one, and a limit on the
+/// error
+///  would give up parts of a lens that the user may need: the user decides what is lens and what is black corner
+///  (ConvertOptions::max_angle_rad). A cone is taken only if no fit reaches the edge (ucm on a T265's black corners, 123
+///  degrees from the axis).
+/// A wider domain therefore never covers less of the image: a cone described inside one angle is also described inside every
+/// larger one. Cones end at whole degrees. If no cone of at least 5 degrees is described, the widest with a pixel for every ray
+/// is taken.
 [[nodiscard]] DomainFit fit_domain(const FitTask& task);
 
 }  // namespace fca::internal

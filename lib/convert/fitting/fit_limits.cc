@@ -8,8 +8,8 @@ namespace fca::internal {
 FitLimits::FitLimits(const FitTarget& target, std::span<const ParameterRange> ranges) {
   for (std::size_t i = 0; i < target.parameters().size(); ++i) {
     const Parameter& p = target.parameters()[i];
-    // The end of an open range is no camera, but the best fit may lie close to it: if alpha must be above 0.5, eucm becomes a
-    // pinhole as beta goes to 0.
+    // The bounds of an open range are excluded, but the best fit may lie close to one: if a range keeps alpha of eucm above
+    // 0.5, it becomes a pinhole as beta goes to 0.
     constexpr double kHair = 1e-6;
     const double furthest = std::min(p.furthest, kLargestParameter);
     lower[i] = std::max(p.lower + (p.open ? kHair : 0.0), -furthest);

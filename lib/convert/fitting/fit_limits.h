@@ -12,12 +12,12 @@ namespace fca::internal {
 struct FitLimits {
   ParameterValues lower{};
   ParameterValues upper{};
-  std::array<bool, kMostParameters> held{};  ///< Stays where a fit begins, whatever its bounds.
+  std::array<bool, kMostParameters> held{};  ///< True if a fit never changes the parameter, whatever its bounds.
 
-  /// The model's own ranges, narrowed by `ranges`.
+  /// Takes the model's own ranges and narrows them by `ranges`.
   FitLimits(const FitTarget& target, std::span<const ParameterRange> ranges);
 
-  /// Nothing to change: held, or a range of one number.
+  /// True if a fit cannot change the parameter: it is held, or its range is one value.
   [[nodiscard]] bool fixed(std::size_t i) const { return held[i] || lower[i] == upper[i]; }
 };
 

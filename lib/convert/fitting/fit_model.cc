@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one place where the fit is instantiated for the models of the list.
+// The only file that instantiates the fit for the listed models.
 #include "fit_model.h"
 
 #include "../exact.h"
@@ -34,14 +34,15 @@ std::optional<FittedModel> fit_from_own_starts(std::string_view id, std::span<co
   return result;
 }
 
-/// Does a conversion prefer a to b? More of the lens first, then fewer pixels.
+/// True if `a` is the better fit: the one that reaches all samples or, if both or neither do, the one with the smaller rms.
 bool better(const FittedModel& a, const std::optional<FittedModel>& b) {
   if (!b) return true;
   if (a.reaches_all != b->reaches_all) return a.reaches_all;
   return a.rms_px < b->rms_px;
 }
 
-/// Root mean square of the distances between the samples' pixels and the model's.
+/// Weighted rms [px] of the distances between the samples' pixels and the model's. Samples without a pixel in the model do not
+/// count.
 double rms_over(std::span<const Correspondence> samples, const CameraModel& model) {
   double sum = 0.0;
   double weight = 0.0;
@@ -54,8 +55,8 @@ double rms_over(std::span<const Correspondence> samples, const CameraModel& mode
   return weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
 }
 
-/// May the contained model have a better fit, or a plainer one where a parameter ran to its bound? Not if it stays behind on a
-/// few of the samples although fitted to those alone.
+/// True if a fit of the contained model `inner` may lead to a better fit, or to a plainer one where a parameter ran to its
+/// bound. It cannot if its fit to a few samples is worse on these than `best`, which was fitted to all.
 bool may_be_beaten(const FittedModel& best, std::string_view inner, std::span<const Correspondence> samples,
                    const LensCentre& centre, std::span<const ParameterRange> ranges) {
   constexpr double kNobodySees = 1e-3;  // px
@@ -73,7 +74,7 @@ ParameterValues values_of(const CameraModel& model) {
   return values;
 }
 
-/// That camera, scored; nothing if it lies outside the ranges.
+/// The given camera with its rms on the samples; nullopt if it lies outside the ranges.
 std::optional<FittedModel> as_it_is(const CameraModel& model, std::span<const Correspondence> samples,
                                     std::span<const ParameterRange> ranges) {
   return std::visit(
@@ -84,7 +85,7 @@ std::optional<FittedModel> as_it_is(const CameraModel& model, std::span<const Co
       model);
 }
 
-/// The fit to which that camera leads.
+/// The fit that starts from the given camera.
 std::optional<FittedModel> refit(const CameraModel& start, std::span<const Correspondence> samples,
                                  std::span<const ParameterRange> ranges) {
   return std::visit(
@@ -100,23 +101,23 @@ void keep_better(std::optional<FittedModel> fitted, std::optional<FittedModel>& 
   if (fitted && better(*fitted, best)) best = std::move(fitted);
 }
 
-/// Keeps in `best` the best of itself, a fit from `start`, and `start` as it is.
+/// Replaces `best` by a fit from `start`, or by `start` itself, if that is better.
 void improve_from(const CameraModel& start, std::span<const Correspondence> samples, std::span<const ParameterRange> ranges,
                   std::optional<FittedModel>& best) {
   keep_better(refit(start, samples, ranges), best);
   keep_better(as_it_is(start, samples, ranges), best);
 }
 
-/// A radius that turns back may do so within a hair of the edge, where samples have no weight: then the fit does not reach
-/// them.
+/// An image radius may turn back just before the edge, where the samples have no weight. Such a fit counts as one that does not
+/// reach all samples.
 void ask_every_sample(std::span<const Correspondence> samples, std::optional<FittedModel>& fitted) {
   if (!fitted || !bends_back(model_info(fitted->model).id)) return;
   const double last = max_angle(fitted->model);
   fitted->reaches_all = std::ranges::all_of(samples, [last](const Correspondence& s) { return angle_from_axis(s.ray) < last; });
 }
 
-/// The best camera of a model with growth conditions whose radius grows as far as the samples, from that start; nothing where
-/// the start's does not.
+/// The best camera, starting from `start`, of a model with growth conditions (growth.h) whose radius grows up to the outermost
+/// sample; nullopt if the radius of `start` does not.
 std::optional<FittedModel> grow_from(const CameraModel& start, std::span<const Correspondence> samples,
                                      std::span<const ParameterRange> ranges) {
   std::optional<FittedModel> result = std::visit(
@@ -129,8 +130,8 @@ std::optional<FittedModel> grow_from(const CameraModel& start, std::span<const C
   return result && result->reaches_all ? result : std::nullopt;
 }
 
-/// The same from a camera without distortion: first without the coefficient that bends the radius back, then with it, so that
-/// one coefficient more is never worse.
+/// Like grow_from(), from a camera without distortion. Fits first without the coefficient that may bend the radius back, then
+/// with it, so that the additional coefficient never makes the fit worse.
 std::optional<FittedModel> grow(std::string_view id, ParameterId bends, std::span<const Correspondence> samples,
                                 const LensCentre& centre, std::span<const ParameterRange> ranges) {
   const Intrinsics<Pinhole> pinhole{{centre.focal[0], centre.focal[1], centre.point[0], centre.point[1]}};
@@ -185,7 +186,7 @@ std::optional<FittedModel> fit_model(std::string_view id, std::span<const Corres
   if (inner.empty() || (best && !may_be_beaten(*best, inner, samples, centre, ranges))) return best;
   if (const std::optional<FittedModel> contained = fit_model(inner, samples, centre, ranges, reach)) {
     if (const std::optional<CameraModel> start = convert_nearly(contained->model, id)) {
-      // Next to the limit of a model its other parameters could grow beyond all measure, for a gain that nobody sees.
+      // Near the limit of the contained model the additional parameters could grow without bound, for a gain below 1e-5 px.
       constexpr double kNobodySees = 1e-5;  // px
       std::optional<FittedModel> near = as_it_is(*start, samples, ranges);
       if (near && near->reaches_all && near->rms_px <= kNobodySees) return near;

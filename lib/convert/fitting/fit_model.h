@@ -14,46 +14,49 @@
 
 namespace fca::internal {
 
-/// A fitted model of the list.
+/// A fit of a listed model.
 struct FittedModel {
   CameraModel model;
   double rms_px = 0.0;
   int iterations = 0;
-  bool reaches_all = true;  ///< Every sample projects, but for the very edge.
+  bool reaches_all = true;  ///< Every sample has a pixel, except at the very edge (kVeryEdge).
   std::vector<std::string> at_bound;
 };
 
-/// What a fit must reach to reach all.
+/// Which samples must have a pixel for FittedModel::reaches_all.
 enum class Reach : std::uint8_t {
-  kAlmostAll,    ///< All samples but next to none of their weight: the very edge of a lens.
-  kEverySample,  ///< Those of no weight, too, which a conversion adds where a model may end early (edge_samples.h).
+  kAlmostAll,  ///< All but samples of a thousandth of the weight (kVeryEdge): the very edge of a lens.
+  /// Also those without weight, which a conversion adds at the edge where a model may end early (edge_samples.h).
+  kEverySample,
 };
 
-/// Fits the listed model of that id to the samples of a lens with that centre; nothing if no start leads to a camera.
+/// Fits the listed model `id` to samples of a lens with the given centre; nullopt if no start leads to a camera.
 ///
-/// Never worse than the fit of a model that the target contains (pinhole in radtan, ucm in eucm, ...), but for a thousandth of
-/// a pixel: where the target's own starts fail, do not reach every sample or may have lost to the contained model, that is
-/// fitted, too, and what it finds is one more start.
+/// The fit is at most 1e-3 px worse than a fit of a model that the target contains (pinhole in radtan, ucm in eucm, ...). If
+/// the target's own starts fail, do not reach every sample or may be worse than the contained model, that model is fitted too,
+/// and its fit is one more start.
 [[nodiscard]] std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples,
                                                    const LensCentre& centre, std::span<const ParameterRange> ranges,
                                                    Reach reach = Reach::kAlmostAll);
 
-/// Has no camera of that model a pixel for rays at 90 degrees from the axis and beyond?
+/// True if no camera of that model has pixels for rays at 90 degrees or more from the axis.
 [[nodiscard]] bool sees_ahead_only(std::string_view id);
 
-/// Can a camera of that model have a pole inside its image?
+/// True if a camera of that model can have a pole inside its image: an angle near which its pixels go to infinity.
 [[nodiscard]] bool has_poles(std::string_view id);
 
-/// May a fit of that model end, at a pole or where its radius turns back, between the outermost sample and the domain's edge?
+/// True if a fit of that model may end between the outermost sample and the domain's edge, at a pole or where its image radius
+/// turns back.
 [[nodiscard]] bool may_end_early(std::string_view id);
 
-/// The coefficient that may bend the radius of that model back before the edge of a wide lens; nothing if it has none.
+/// The coefficient that may bend that model's image radius back before the edge of a wide lens; nullopt if it has none.
 [[nodiscard]] std::optional<ParameterId> bends_back(std::string_view id);
 
-/// What a fit asks of that model.
+/// The interface through which a fit uses that model.
 [[nodiscard]] std::unique_ptr<FitTarget> fit_target_of(const CameraModel& model);
 
-/// The fit to which that camera leads, or itself, whichever is better; nothing if it leads nowhere and is outside the ranges.
+/// The fit that starts from the given camera, or that camera itself if it is better; nullopt if the fit fails and the camera
+/// lies outside the ranges.
 [[nodiscard]] std::optional<FittedModel> fit_from(const CameraModel& start, std::span<const Correspondence> samples,
                                                   std::span<const ParameterRange> ranges);
 

@@ -11,13 +11,13 @@ namespace fca::internal {
 
 namespace {
 
-/// Whoever looks at a thousandth of the error looks at a millionth of its square. The last steps of a model with many
-/// parameters lead along valleys in which nobody sees a difference.
+/// Effort of a fit to all samples: it ends when a step reduces the cost, a mean square, by less than this fraction. The last
+/// steps of a model with many parameters follow flat valleys in which the rms hardly changes, so that they end earlier.
 constexpr Effort kFull{200, 1e-9};
 constexpr Effort kFullOfMany{200, 1e-6};
 
-/// How many of the samples a start is polished on, and how far. Which basin is deeper shows late, and only on many points,
-/// where parameters are as many as rational's.
+/// The number of samples on which a start is polished, and the effort. With as many parameters as rational has, it shows late,
+/// and only on many samples, which minimum is lower.
 struct Coarse {
   Effort effort;
   std::size_t samples;
@@ -27,9 +27,9 @@ constexpr Coarse kCoarseOfMany{{60, 1e-6}, 100};
 
 const Coarse& coarse_for(const FitTarget& target) { return has_many_parameters(target) ? kCoarseOfMany : kCoarse; }
 
-constexpr double kKnown = 1e-8;  // Of another bottom's cost: this one is the lens.
+constexpr double kKnown = 1e-8;  // A minimum whose cost is below this fraction of another's counts as exact.
 
-/// To reach all of the lens is worth some pixels, but not a useless camera.
+/// True if `a` is the better fit. One that reaches all samples may have up to kWorth times the rms of one that does not.
 bool is_better(const FoundFit& a, const FoundFit& b) {
   constexpr double kWorth = 4.0;
   if (a.reaches_all == b.reaches_all) return a.rms_px < b.rms_px;
@@ -40,14 +40,16 @@ void keep_better(std::optional<FoundFit> fit, std::optional<FoundFit>& best) {
   if (fit && (!best || is_better(*fit, *best))) best = std::move(fit);
 }
 
-/// Beyond this angle, lenses whose radius all but stops growing, a fold has a bottom on either side, whatever the error there.
+/// True if a ray is more than 120 degrees from the axis. The image radius of such lenses hardly grows at the edge, and a model
+/// with a fold then has a minimum on either side of it, whatever the error.
 bool are_wide(std::span<const Correspondence> samples) {
   constexpr double kWideCosine = -0.5;
   return std::ranges::any_of(samples, [](const Correspondence& s) { return s.ray[2] < kWideCosine; });
 }
 
-/// Would no other start be better? One may be where a parameter ends at a bound, as the basin's bottom lies beyond it; and
-/// where next to nothing is left, but not nothing: then another basin holds the very lens, and looked as good on few samples.
+/// True if no other start would lead to a better fit. One may if a parameter ended at a bound, because the minimum then lies
+/// outside. It may also if the cost is small but not 0: then another minimum is probably exact, and looked no better on few
+/// samples.
 bool settled(const FoundFit& fit) {
   const double cost = fit.rms_px * fit.rms_px;
   return fit.at_bound.empty() && fit.reaches_all && !(cost > kExactCost && cost < kSmallCost);
@@ -100,7 +102,7 @@ std::optional<FoundFit> Fitter::refit(const ParameterValues& start, const LensCe
   return fit_from(start);
 }
 
-/// Nothing if the model is not linear.
+/// Solves a linear model without a start; nullopt if the model is not linear.
 std::optional<FoundFit> Fitter::solve(const LensCentre& centre) const {
   if (target_.terms() == 0 || !target_.shapes().empty()) return std::nullopt;
   const std::optional<Candidate> candidate = fit_terms(samples_, centre, 0.0);
@@ -110,13 +112,14 @@ std::optional<FoundFit> Fitter::solve(const LensCentre& centre) const {
 std::optional<FoundFit> Fitter::fit(const LensCentre& centre) {
   if (std::optional<FoundFit> solved = solve(centre)) return solved;
   std::optional<FoundFit> best = fit_starts(centre);
-  // Two more reasons to begin from longer and shorter lenses: the optimum's radius may turn back before the edge of this one,
-  // and many parameters have many bottoms.
+  // Longer and shorter focal lengths are tried as starts in two cases: the radius of the best camera turns back before the edge
+  // of the lens, or the model has many parameters, and with them many minima.
   constexpr double kNobodySees = 1e-3;  // px
   const bool may_be_beaten = has_many_parameters(target_) && best && best->rms_px > kNobodySees;
   if (best && best->reaches_all && !may_be_beaten) return best;
   hopeless_ = std::numeric_limits<double>::infinity();
-  // Where the radius turns back, a fit ends wherever it just does not: closer to each other.
+  // Where the radius turns back, each start may lead to another camera whose radius just does not. Then all scales are tried,
+  // otherwise the first kFew.
   static constexpr std::array kScales = {0.8, 0.9, 1.1, 1.25, 0.85, 0.95, 1.05, 1.15, 1.2};
   constexpr std::size_t kFew = 4;
   const bool folds = !best || !best->reaches_all;
@@ -129,7 +132,7 @@ std::optional<FoundFit> Fitter::fit(const LensCentre& centre) {
   return best;
 }
 
-/// The best fit from the starts with that centre.
+/// The best fit from the starts for that centre; nullopt if none leads to a camera.
 std::optional<FoundFit> Fitter::fit_starts(const LensCentre& centre) {
   std::optional<FoundFit> best;
   std::vector<Candidate> candidates = search_shapes(centre);
@@ -138,7 +141,7 @@ std::optional<FoundFit> Fitter::fit_starts(const LensCentre& centre) {
   polish_all(candidates, best);
   const std::optional<std::size_t> folded = target_.folded();
   if (folded && best && best->at_bound.empty() && (!settled(*best) || are_wide(samples_))) {
-    // Close to the fold a few samples do not tell its sides apart.
+    // Close to the fold a few samples do not show which side is better.
     Candidate found = candidates.front();
     found.values = best->parameters;
     found.cost = best->rms_px * best->rms_px;
@@ -151,7 +154,7 @@ std::optional<FoundFit> Fitter::fit_starts(const LensCentre& centre) {
   return best;
 }
 
-/// Fits from the candidates until no other can be better.
+/// Fits to all samples from the candidates, until no other candidate can be better.
 void Fitter::polish_all(std::vector<Candidate>& candidates, std::optional<FoundFit>& best) {
   std::vector<Candidate> polished;
   for (Candidate& candidate : candidates) {
@@ -169,7 +172,8 @@ void Fitter::polish_all(std::vector<Candidate>& candidates, std::optional<FoundF
   }
 }
 
-/// Is it about as good as the first one and on another side of the fold than all that were polished, before or after?
+/// True if the candidate is about as good as the first one and lies on another side of the fold than all polished ones, before
+/// and after their polish.
 bool Fitter::is_across_fold(const Candidate& candidate, const std::vector<Candidate>& polished) const {
   constexpr double kAboutAsGood = 1.5;
   constexpr double kFarAway = 0.3;
@@ -179,8 +183,7 @@ bool Fitter::is_across_fold(const Candidate& candidate, const std::vector<Candid
       polished, [&](const Candidate& other) { return std::abs(other.values[*folded] - candidate.values[*folded]) > kFarAway; });
 }
 
-/// From a bound that holds parameters a little way back inside, where they may find a bottom of their own. False if none is
-/// held.
+/// Moves parameters that ended at a bound a little inside, where there may be another minimum. False if none is at a bound.
 bool Fitter::move_inside(Candidate& candidate) const {
   constexpr double kALittle = 0.05;
   bool moved = false;
@@ -195,7 +198,7 @@ bool Fitter::move_inside(Candidate& candidate) const {
   return moved;
 }
 
-/// The model's starts, polished on a few of the samples, best first.
+/// The model's starts, polished on a few samples, the best first.
 std::vector<Candidate> Fitter::coarse_fits(const LensCentre& centre) {
   const Coarse& coarse = coarse_for(target_);
   const std::span<const Correspondence> all = samples_;
@@ -217,14 +220,14 @@ std::vector<Candidate> Fitter::coarse_fits(const LensCentre& centre) {
   std::vector<Candidate> polished;
   const double first_cost = starts.front().cost;
   if (has_many_parameters(target_) && (starts.size() == 1 || starts[1].cost > hopeless_ * first_cost)) {
-    // Nothing to choose from, and a polish on so many samples is half of the fit.
+    // Only one start is promising. A polish on so many samples takes half as long as the fit, so that it is omitted.
     for (const Candidate& start : std::span(starts).subspan(1)) std::erase(tried_, start.cost);
     starts.resize(1);
     samples_ = all;
     return starts;
   }
   for (Candidate& start : starts) {
-    // On one side of a fold a start may look hopeless beside one on the other.
+    // A start on one side of a fold may look hopeless compared to one on the other side.
     const std::size_t fewest = target_.folded() ? 2 : 1;
     if (polished.size() >= fewest && start.cost > hopeless_ * first_cost) break;
     if (!polisher_.polish(start, samples_, coarse.effort)) continue;
@@ -240,7 +243,8 @@ std::vector<Candidate> Fitter::coarse_fits(const LensCentre& centre) {
   return polished;
 }
 
-/// Has a start of that cost been tried? Not every model's starts depend on the focal length of the centre.
+/// True if a start of that cost has been tried; otherwise remembers it. The starts of some models do not depend on the focal
+/// length, and would be tried again for each scale.
 bool Fitter::is_known(double cost) {
   constexpr double kSame = 1e-6;
   const auto same = [cost](double other) { return std::abs(cost - other) <= kSame * other; };
@@ -249,11 +253,12 @@ bool Fitter::is_known(double cost) {
   return false;
 }
 
-/// A model with a fold has two bottoms that differ by little, one on each side of it. Along the valley, where the folded
-/// parameter is set and the others follow, the way leads across.
+/// A model with a fold has a minimum on each side of it, with nearly the same cost. To cross over, the folded parameter is
+/// changed by a step and held while the others are fitted, then all are fitted.
 void Fitter::look_beyond_fold(std::size_t folded, std::vector<Candidate>& polished, const Effort& effort) {
-  constexpr double kNearlyExact = 1e-3;  // px^2: worse, and no lens of this model is behind the samples
-  // The most likely ones first; the others where a lens of this model seems to be.
+  constexpr double kNearlyExact = 1e-3;  // px^2; above it the samples are not from a lens of this model
+  // The steps that most often succeed come first. The others are tried only where the cost is so small that the samples seem to
+  // be from a lens of this model.
   constexpr std::array kSteps = {0.15, -0.15, 0.4, -0.4, 0.06, -0.06, 0.02, -0.02, 0.1, -0.1, 0.03, -0.03, 0.7, -0.7};
   constexpr std::size_t kLikely = 2;
   const Candidate from = polished.front();
@@ -272,7 +277,7 @@ void Fitter::look_beyond_fold(std::size_t folded, std::vector<Candidate>& polish
   }
 }
 
-/// Mean squared distance, one that is missed counting as much as a wide image.
+/// Mean squared distance [px^2]. A sample without a pixel, or more than 1,000 px away, counts as 1,000 px.
 double Fitter::cost_of_start(const ParameterValues& values) {
   constexpr double kMissed = 1e6;  // px^2
   pixels_.resize(samples_.size());
@@ -287,7 +292,8 @@ double Fitter::cost_of_start(const ParameterValues& values) {
   return cost;
 }
 
-/// Without a start, where the model is linear enough and no range of a parameter gets in the way.
+/// Solves for all parameters but the shape, without a start; nullopt if a parameter is held or ends outside its range, or the
+/// solution fails.
 std::optional<Candidate> Fitter::fit_terms(std::span<const Correspondence> samples, const LensCentre& centre,
                                            double shape) const {
   if (std::any_of(polisher_.limits().held.begin(), polisher_.limits().held.begin() + static_cast<std::ptrdiff_t>(count_),
@@ -315,7 +321,7 @@ std::optional<Candidate> Fitter::fit_terms(std::span<const Correspondence> sampl
   return candidate;
 }
 
-/// The best of all other parameters for a shape.
+/// A shape, and the best camera with that shape on a few samples; nullopt if there is none.
 struct Fitter::Trial {
   double shape = 0.0;
   std::optional<Candidate> candidate;
@@ -323,7 +329,7 @@ struct Fitter::Trial {
   [[nodiscard]] double cost() const { return candidate ? candidate->cost : std::numeric_limits<double>::infinity(); }
 };
 
-/// The model's shapes, closer to each other where the cost is low: two bottoms may lie between neighbours.
+/// Tries the model's shapes, and further ones between neighbours of low cost, since two minima may lie between neighbours.
 std::vector<Fitter::Trial> Fitter::try_shapes(std::span<const Correspondence> few, const LensCentre& centre) const {
   constexpr int kHalvings = 2;
   constexpr double kLow = 30.0;  // times the lowest cost
@@ -344,7 +350,7 @@ std::vector<Fitter::Trial> Fitter::try_shapes(std::span<const Correspondence> fe
   return trials;
 }
 
-/// The bottom next to a trial, between its neighbours: by the golden section, the longer side of what is left is divided.
+/// The minimum between a trial's neighbours, by golden-section search: each step divides the longer side.
 Fitter::Trial Fitter::bottom_near(std::span<const Trial> trials, std::size_t at_trial, std::span<const Correspondence> few,
                                   const LensCentre& centre) const {
   constexpr int kSections = 10;
@@ -366,8 +372,9 @@ Fitter::Trial Fitter::bottom_near(std::span<const Trial> trials, std::size_t at_
   return best;
 }
 
-/// The bottoms along the shape, with the best of all other parameters for each (variable projection: Golub & Pereyra 1973), on
-/// a few of the samples, best first: what a descent in all parameters finds only by a long way through a narrow valley.
+/// The minima of the cost as a function of the shape, with the best other parameters for each shape (variable projection: Golub
+/// & Pereyra 1973), on a few samples, the best first. A descent in all parameters finds them only after many steps through a
+/// narrow valley. Empty if the model has no shape.
 std::vector<Candidate> Fitter::search_shapes(const LensCentre& centre) {
   constexpr std::size_t kSamples = 48;
   constexpr std::size_t kMostBottoms = 3;
@@ -386,7 +393,7 @@ std::vector<Candidate> Fitter::search_shapes(const LensCentre& centre) {
   for (const std::size_t bottom : bottoms) {
     Trial& trial = found.emplace_back(bottom_near(trials, bottom, few, centre));
     polisher_.hold_fixed(*trial.candidate);
-    // Bottoms differ by less than what the search leaves of each.
+    // The costs of two minima may differ by less than the search leaves of each.
     if (bottoms.size() > 1) polisher_.polish(*trial.candidate, few, kCoarse.effort);
   }
   std::ranges::sort(found, {}, &Trial::cost);
@@ -397,8 +404,8 @@ std::vector<Candidate> Fitter::search_shapes(const LensCentre& centre) {
   return candidates;
 }
 
-/// Of bottoms that are about as deep on a few samples all tell which is the deepest: where errors bend, at the lens's edge,
-/// there are few of the few.
+/// Ranks minima of nearly the same cost by their cost on all samples. Errors change fastest at the lens's edge, where the few
+/// samples are too sparse.
 void Fitter::rank_rivals(const LensCentre& centre, std::vector<Trial>& found) const {
   constexpr double kAboutAsDeep = 4.0;
   const auto is_rival = [&found](const Trial& trial) { return trial.cost() < kAboutAsDeep * found.front().cost(); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fits one camera model to rays and pixels: finds the basins that may hold the best camera (linear starts, coarse polishes, a
-// search along a shape, the other side of a fold) and polishes in those.
+// Fits one camera model to rays and pixels. Finds candidates for the lowest minimum (linear starts, coarse polishes, a search
+// along a shape, the other side of a fold) and polishes these.
 #pragma once
 
 #include "polisher.h"
@@ -14,22 +14,23 @@
 
 namespace fca::internal {
 
-/// `count` of the samples (all, if there are no more), spread by the golden ratio: a stride would pick the same radii again and
-/// again from samples that come in rows.
+/// Chooses `count` of the samples, or all if there are fewer, by multiples of the golden ratio. The samples come in rows; every
+/// n-th one would have the same few radii.
 [[nodiscard]] std::vector<Correspondence> spread(std::span<const Correspondence> samples, std::size_t count);
 
 class Fitter {
  public:
-  /// Target and samples must outlive it.
+  /// `target` and `samples` must outlive the Fitter.
   Fitter(const FitTarget& target, std::span<const Correspondence> samples, std::span<const ParameterRange> ranges);
 
-  /// From the model's own starts, given the source's centre.
+  /// Fits from the model's own starts, given the source's centre. nullopt if no start leads to a camera.
   std::optional<FoundFit> fit(const LensCentre& centre);
-  /// From a given camera.
+  /// Fits from a given camera; nullopt if that fails.
   std::optional<FoundFit> fit_from(const ParameterValues& start);
-  /// The same where nothing depends on the start: a linear model is solved for, with that centre as the unit and the origin.
+  /// Like fit_from(), but solves a linear model directly, which needs no start; `centre` is then the scale and the origin of
+  /// the pixels.
   std::optional<FoundFit> refit(const ParameterValues& start, const LensCentre& centre);
-  /// That camera as it is, if it lies within the ranges.
+  /// The given camera with its rms on the samples; nullopt if it lies outside the ranges or reaches no sample.
   [[nodiscard]] std::optional<FoundFit> as_it_is(const ParameterValues& values) const;
 
  private:
@@ -52,11 +53,11 @@ class Fitter {
   void rank_rivals(const LensCentre& centre, std::vector<Trial>& found) const;
 
   const FitTarget& target_;
-  std::size_t count_;          ///< Of parameters.
-  Effort full_;                ///< Of a fit to all samples.
-  std::vector<double> tried_;  ///< The costs of the starts.
-  /// A start that is so many times worse than the best one is not even the right basin's edge; if that basin does not do, it is
-  /// tried all the same.
+  std::size_t count_;          ///< Number of parameters.
+  Effort full_;                ///< Effort of a fit to all samples.
+  std::vector<double> tried_;  ///< Costs [px^2] of the starts tried so far.
+  /// A start whose cost is more than this multiple of the best start's is not polished: it is probably not even near the right
+  /// minimum. Infinite once the best minimum has turned out not to be good enough.
   double hopeless_ = 400.0;
   std::span<const Correspondence> samples_;
   std::vector<std::array<double, 2>> pixels_;

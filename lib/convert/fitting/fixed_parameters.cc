@@ -20,18 +20,18 @@ bool has(const ModelInfo& model, const ParameterId& parameter) {
   return std::ranges::find(model.parameters, parameter.name(), &Parameter::name) != model.parameters.end();
 }
 
-/// The fit with both focal lengths f.
+/// The fit in which both focal lengths are fixed at `f` [px].
 DomainFit fit_with(const FitTask& task, double f) {
   ConvertOptions options = task.options;
   for (const ParameterId focal : {kFx, kFy}) options.ranges.push_back({focal, f, f});
   return fit_domain({task.camera, task.target, options, task.domain, task.centre});
 }
 
-/// What the search makes small.
+/// The rms [px] that the search minimises; infinite if the fit has no model.
 double cost_of(const DomainFit& fit) { return fit.fitted.model ? fit.rms_px : std::numeric_limits<double>::infinity(); }
 
-/// From `middle` downhill in steps that double, until it goes up again. In mei and ds f and xi change together, and the valley
-/// is long.
+/// An interval with a minimum inside: goes downhill from `middle` in steps that double, until the cost rises. In mei and ds, f
+/// and xi change together along a long valley, so that the minimum may be far away.
 std::pair<double, double> bracket_of_minimum(double middle, double step, const std::function<double(double)>& cost_at) {
   constexpr int kMostSteps = 12;
   const double here = cost_at(middle);
@@ -84,7 +84,7 @@ DomainFit fit_fixed(const FitTask& task) {
   double high = bracket.second;
   const double beside = high - low;
   constexpr double kGoldenRatio = 0.6180339887498949;
-  constexpr double kCloseEnough = 1e-5;  // errors are flat at the bottom
+  constexpr double kCloseEnough = 1e-5;  // fraction of the first interval; the rms is flat at the minimum
   const auto inside = [&](double share) { return low + share * (high - low); };
   double left = inside(1.0 - kGoldenRatio);
   double right = inside(kGoldenRatio);

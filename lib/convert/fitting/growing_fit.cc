@@ -21,11 +21,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// What a condition keeps of its 1 on the axis, so that rounding does not end the camera's domain before the samples do.
+/// A condition is 1 on the axis and must stay above this value, so that rounding does not end the camera's domain before the
+/// outermost sample.
 constexpr double kMargin = 1e-6;
 constexpr double kAlmostMargin = 0.5e-6;
 
-/// tan of the largest angle, and a hair; infinite from 90 degrees on.
+/// tan of the samples' largest angle from the axis, increased by 1e-6; infinite if that is 90 degrees or more.
 double reach_of(std::span<const Correspondence> samples) {
   constexpr double kHair = 1.0 + 1e-6;
   double largest = 0.0;
@@ -33,7 +34,7 @@ double reach_of(std::span<const Correspondence> samples) {
   return largest < 0.5 * std::numbers::pi ? std::tan(largest) * kHair : std::numeric_limits<double>::infinity();
 }
 
-/// A plane in the space of the free parameters: the camera must lie at normal . p >= offset.
+/// A plane in the space of the free parameters p: a camera must satisfy normal . p >= offset.
 struct Plane {
   VectorXd normal;
   double offset = 0.0;
@@ -81,7 +82,7 @@ class Descent {
     return result;
   }
 
-  /// The camera at p, within the ranges.
+  /// All parameters of the camera with the free parameters p, moved into their ranges.
   [[nodiscard]] ParameterValues values_at(const VectorXd& p) const {
     ParameterValues values = at_;
     for (Index i = 0; i < free_count(); ++i) {
@@ -91,7 +92,8 @@ class Descent {
     return values;
   }
 
-  /// Cuts off a camera that turns back, by the plane that touches a condition there; false where it does not turn back.
+  /// If the camera's radius turns back before `reach_`, adds planes that exclude this camera, each tangent to a condition at
+  /// one of its minima, and returns true.
   bool cut_off(const ParameterValues& values) {
     constexpr std::size_t kMostPlanes = 200;
     bool turns = false;
@@ -109,7 +111,8 @@ class Descent {
     return turns;
   }
 
-  /// The step to the lowest point of the quadratic among the cameras of the ranges that no plane cuts off.
+  /// The step to the minimum of the quadratic among the cameras within the ranges that no plane excludes; nullopt if there are
+  /// none.
   [[nodiscard]] std::optional<VectorXd> step_among_planes(const MatrixXd& hessian, const VectorXd& gradient) const {
     const Index n = free_count();
     const VectorXd here = free_of(at_.data());
@@ -128,7 +131,7 @@ class Descent {
     return minimise_quadratic(hessian, gradient, normals, offsets);
   }
 
-  /// The same among the cameras that grow.
+  /// Like step_among_planes(), but adds planes until the radius grows up to `reach_` at the step's end.
   [[nodiscard]] std::optional<VectorXd> step_among_growing(const MatrixXd& hessian, const VectorXd& gradient) {
     constexpr int kMostCuts = 40;
     std::optional<VectorXd> step;
@@ -139,9 +142,10 @@ class Descent {
     return step;
   }
 
-  /// One Gauss-Newton step, halved until it gains; false where there is none, or nobody sees what it gains.
+  /// Takes a Gauss-Newton step, halved until the cost falls. False if there is no such step, or it gains less than a fraction
+  /// of 1e-9.
   bool take_step() {
-    constexpr double kNothing = 1e-9;      // of the cost
+    constexpr double kNothing = 1e-9;      // fraction of the cost
     constexpr double kNobodySees = 1e-20;  // px^2
     constexpr int kMostHalvings = 20;
     const Index n = free_count();
@@ -166,13 +170,13 @@ class Descent {
   }
 
   const GrowingTask& task_;
-  std::size_t count_;  ///< Of parameters.
+  std::size_t count_;  ///< Number of parameters.
   FitLimits limits_;
-  double reach_;  ///< As far as the radius must grow, tan of the angle.
+  double reach_;  ///< The tan of the angle up to which the radius must grow.
   Linearised linearised_;
   ParameterValues at_;
-  std::vector<std::size_t> free_;  ///< The parameters that may change.
-  std::vector<Plane> planes_;      ///< Every camera that grows is on the right side of all of them.
+  std::vector<std::size_t> free_;  ///< Indices of the parameters that may change.
+  std::vector<Plane> planes_;      ///< Every camera whose radius grows satisfies all of them.
   int iterations_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The best camera whose radius grows as far as its samples: for models whose best one of all turns back before.
+// Fits the best camera whose image radius grows up to the outermost sample, for models whose best camera turns back before it.
 #pragma once
 
 #include "growth.h"
@@ -19,11 +19,11 @@ struct GrowingTask {
   std::span<const ParameterRange> ranges;
 };
 
-/// From `start` downhill along cameras whose conditions hold as far as the outermost sample: never worse than the start.
-/// Nothing where the start, put into the ranges, is no such camera.
+/// Minimises the cost from `start` among the cameras whose growth conditions hold up to the outermost sample. Never worse than
+/// the start. nullopt if the start, moved into the ranges, is no such camera.
 ///
-/// A Gauss-Newton step is the lowest point of a quadratic among a convex set of cameras. Of the infinitely many conditions (one
-/// at each r) those at the lowest places of the step's end are added until none is violated there (the cutting planes of
+/// A Gauss-Newton step goes to the minimum of a quadratic on a convex set of cameras. There is one condition for each r, thus
+/// infinitely many. Those at the minima over r at the step's end are added until none is violated there (the cutting planes of
 /// Kelley 1960).
 [[nodiscard]] std::optional<FoundFit> fit_growing(const GrowingTask& task, const ParameterValues& start);
 

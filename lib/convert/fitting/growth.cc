@@ -26,22 +26,22 @@ double radtan_condition(const std::array<double, 3>& factors, double tangential,
     value += factors[i] * p[kRadial[i]] * power;
     if (slopes != nullptr) slopes[kRadial[i]] = factors[i] * power;
   }
-  // At P = 0 there is a peak, and the plane through it is as good as any.
+  // At P = 0 the condition has a peak without a derivative; a plane with the slope 0 in p1 and p2 touches it from above.
   if (slopes != nullptr && length_of_p > 0.0) {
     for (const std::size_t i : {kP1, kP2}) slopes[i] = -tangential * r * p[i] / length_of_p;
   }
   return value;
 }
 
-/// A - 6 P r (radial_tangential.h).
+/// The condition A - 6 P r > 0 (radial_tangential.h).
 double radial_slope(const double* p, double r, double* slopes) { return radtan_condition({3.0, 5.0, 7.0}, 6.0, p, r, slopes); }
 
-/// (A + 3 L - 16 P r) / 4.
+/// The condition (A + 3 L - 16 P r) / 4 > 0.
 double other_azimuths(const double* p, double r, double* slopes) {
   return radtan_condition({1.5, 2.0, 2.5}, 4.0, p, r, slopes);
 }
 
-/// The lowest place of a function between two that has one bottom there.
+/// The minimum of a function that has one local minimum between `low` and `high`, by golden-section search.
 template <class Function>
 double bottom_between(double low, double high, const Function& value_at) {
   constexpr int kSections = 60;
@@ -75,7 +75,7 @@ std::span<const GrowthCondition> growth_conditions(std::string_view model) {
 
 std::vector<double> minima_below(double limit, GrowthCondition condition, const double* p, double furthest) {
   constexpr int kSteps = 64;     // a polynomial of degree 6 bends no faster
-  constexpr double kNear = 0.1;  // between two steps it falls by less
+  constexpr double kNear = 0.1;  // between two steps the condition falls by less
   const auto value_at = [&](double r) { return condition(p, r, nullptr); };
   const auto place = [&](int i) { return furthest * std::clamp(i, 0, kSteps) / kSteps; };
   std::vector<double> minima;
@@ -83,7 +83,7 @@ std::vector<double> minima_below(double limit, GrowthCondition condition, const 
     const double here = value_at(place(i));
     if (here > limit + kNear || value_at(place(i - 1)) < here || value_at(place(i + 1)) < here) continue;
     double lowest = bottom_between(place(i - 1), place(i + 1), value_at);
-    // At an end the bottom is the end itself.
+    // At an end of the interval the minimum may be the end itself.
     if (here < value_at(lowest)) lowest = place(i);
     if (value_at(lowest) < limit) minima.push_back(lowest);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A model whose derivatives, where it has none of its own, are Ceres' automatic ones.
+// A listed model as a FitTarget. Its derivatives are its own (formula_and_slopes) or, if it has none, Ceres' automatic ones.
 #pragma once
 
 #include "slope_columns.h"
@@ -30,7 +30,7 @@ class JetTarget : public FitTargetOf<M> {
         std::array<std::array<double, kCount>, 2> slopes;
         for (std::size_t axis = 0; axis < 2; ++axis) {
           for (std::size_t i = 0; i < kCount; ++i) {
-            // At an edge of the formula's domain a derivative may be no number.
+            // At an edge of the formula's domain a derivative may be NaN or infinite.
             const double slope = pixel[axis].v[static_cast<int>(i)];
             slopes[axis][i] = std::isfinite(slope) ? slope : 0.0;
           }

@@ -25,7 +25,7 @@ void Linearised::reset(std::vector<Correspondence> samples, const std::array<boo
 
 bool Linearised::evaluate(const ParameterValues& values, NormalEquations& sums) {
   const bool with_slopes = !sums.gradient.empty();
-  // The solver asks for the slopes where it has just asked for the cost.
+  // The solver needs the derivatives where it has just needed the cost: cheap ones are computed at once and kept.
   if (!(with_slopes || target_.cheap_slopes() ? linearise(values) : compute_residuals(values))) return false;
   const Column r = residuals();
   products(std::span(&r, 1), r, &sums.cost);

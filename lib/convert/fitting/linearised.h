@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A model's residuals over samples and their derivatives by the parameters that a fit may change, column by column.
+// A model's residuals over samples, and their Jacobian by the parameters that a fit may change, column by column.
 #pragma once
 
 #include "minimise.h"
@@ -18,17 +18,18 @@ class Linearised {
  public:
   explicit Linearised(const FitTarget& target) : target_(target) {}
 
-  /// Begins anew, with columns for the parameters that are not fixed. Keeps the samples.
+  /// Takes the samples. The Jacobian gets a column for each parameter that is not fixed.
   void reset(std::vector<Correspondence> samples, const std::array<bool, kMostParameters>& fixed);
 
   [[nodiscard]] std::size_t rows() const { return 2 * samples_.size(); }
-  /// The Jacobian's columns of the parameters that are not fixed, and the residuals, as linearise() left them.
+  /// The Jacobian's columns, and the residuals [px], both times the square root of the samples' weights, as linearise() left
+  /// them.
   [[nodiscard]] std::span<const Column> columns() const { return columns_; }
   [[nodiscard]] Column residuals() { return {out().column(target_.parameters().size()), 0, rows()}; }
 
-  /// What a step of the solver needs there; false where a sample has no pixel.
+  /// Computes the cost at `values`, and gradient and Hessian unless their spans are empty. False if a sample has no pixel.
   bool evaluate(const ParameterValues& values, NormalEquations& sums);
-  /// Fills residuals() and columns(); false where a sample has no pixel.
+  /// Fills residuals() and columns(). False if a sample has no pixel.
   bool linearise(const ParameterValues& values);
 
  private:
@@ -37,11 +38,11 @@ class Linearised {
 
   const FitTarget& target_;
   std::vector<Correspondence> samples_;
-  std::vector<double> roots_;    ///< Of the samples' weights.
+  std::vector<double> roots_;    ///< Square roots of the samples' weights.
   std::vector<double> numbers_;  ///< See LinearisedColumns.
   std::vector<std::array<double, 2>> pixels_;
   std::vector<Column> columns_;
-  std::optional<ParameterValues> at_;  ///< Where the columns are those of.
+  std::optional<ParameterValues> at_;  ///< The parameters for which the columns were computed; nullopt if they are invalid.
 };
 
 }  // namespace fca::internal

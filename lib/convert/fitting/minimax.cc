@@ -18,7 +18,7 @@ namespace fca::internal {
 
 namespace {
 
-/// The errors of a model at some points.
+/// The errors of a model at given points, as a function of its parameters.
 class ModelErrors final : public PointErrors {
  public:
   ModelErrors(const FitTarget& target, std::span<const Correspondence> points, const std::array<bool, kMostParameters>& fixed)
@@ -29,7 +29,8 @@ class ModelErrors final : public PointErrors {
   [[nodiscard]] std::size_t size() const override { return points_.size(); }
 
   bool squares(std::span<const double> values, std::span<double> result) override {
-    // The domain's limit decides for all rays at once, unless it is too close to tell.
+    // Compares the largest angle of all rays with the model's domain once. Only if they are too close to tell is each ray
+    // projected.
     constexpr double kHair = 1e-9;
     const bool all_within = lowest_ > std::cos(target_.max_angle(values.data())) + kHair;
     if (all_within && !target_.pixels(values.data(), points_, pixels_.data())) return false;
@@ -68,7 +69,7 @@ class ModelErrors final : public PointErrors {
   double lowest_ = 1.0;  ///< Cosine of the largest angle from the axis.
 };
 
-/// From `fit.model`, in place.
+/// Minimises the largest error over the points, starting from `fit.model`, and updates `fit`.
 void minimise_on(std::span<const Correspondence> points, std::span<const ParameterRange> ranges, double first_sharpness,
                  MinimaxFit& fit) {
   const std::unique_ptr<FitTarget> target = fit_target_of(fit.model);
@@ -94,7 +95,7 @@ void minimise_on(std::span<const Correspondence> points, std::span<const Paramet
   }
 }
 
-/// Everything that is scored, the worst first.
+/// All scored points of the lattice and of the lens's edges, the worst first.
 std::vector<Point> scored_points(const Scorer& scorer) {
   std::vector<Point> points = score_lattice(scorer);
   constexpr int kAzimuths = 360;
@@ -107,8 +108,8 @@ std::vector<Point> scored_points(const Scorer& scorer) {
   return points;
 }
 
-/// A few of the points, near and far from the axis alike, the furthest one among them: if that is in a model's domain, so are
-/// the others.
+/// Some hundreds of the points (or all, if there are fewer than 1,200), evenly spaced in the order of their cosines. The
+/// furthest from the axis is one of them: if it is in a model's domain, the others are too.
 std::vector<Point> few_of(std::vector<Point> points) {
   constexpr std::size_t kFew = 600;
   const std::size_t stride = std::max<std::size_t>(1, points.size() / kFew);
@@ -118,9 +119,9 @@ std::vector<Point> few_of(std::vector<Point> points) {
   return few;
 }
 
-/// The tops of the highest hills of the error.
+/// The local maxima of the error near the worst points.
 std::vector<Point> hilltops(const Scorer& scorer, std::span<const Point> worst_first) {
-  constexpr double kHigh = 0.97;  // of the highest
+  constexpr double kHigh = 0.97;  // fraction of the largest error
   constexpr std::size_t kMost = 32;
   const ImageSize& size = scorer.domain().size;
   const double apart = std::max(size.width, size.height) / 20.0;
@@ -139,7 +140,7 @@ std::vector<Point> hilltops(const Scorer& scorer, std::span<const Point> worst_f
   return tops;
 }
 
-/// Adds the points to the set; false where none of them is worth it.
+/// Adds the points whose error is at least `at_least` [px] to the set. False if there are none.
 bool add(const Scorer& scorer, std::span<const Point> points, double at_least, std::vector<Correspondence>& set) {
   bool added = false;
   for (const Point& point : points) {
@@ -165,7 +166,7 @@ double largest_error(const CameraModel& model, std::span<const Correspondence> p
 MinimaxFit fit_largest_error(const CameraModel& source, const CameraModel& start, const Domain& domain, double target_reach_rad,
                              std::span<const ParameterRange> ranges) {
   constexpr int kMostExchanges = 12;
-  constexpr double kNobodySees = 1e-9;  // px; below, double's rounding decides
+  constexpr double kNobodySees = 1e-9;  // px; smaller errors are mostly rounding
   constexpr double kWorthAPoint = 1.0005;
   MinimaxFit fit{start, 0, {}};
   std::vector<Correspondence> set;

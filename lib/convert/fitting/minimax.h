@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The camera near a least-squares fit whose largest error over the domain is smallest.
+// Finds the camera near a least-squares fit that has the smallest maximum error over the domain.
 #pragma once
 
 #include "../evaluation/scorer.h"
@@ -12,18 +12,19 @@
 
 namespace fca::internal {
 
-/// A camera after the search, and the number of steps that led there.
+/// The result of the search: the camera, the number of steps, and the names of the parameters that ended at a bound.
 struct MinimaxFit {
   CameraModel model;
   int iterations = 0;
   std::vector<std::string> at_bound;
 };
 
-/// Minimises the largest error of `start` over the rays that it reaches, within the ranges. The points are a few of the judge's
-/// lattice and of the lens's edge, and then, again and again, all where the error turns out to be larger than on the others
-/// (Remez' exchange, but no point is given up). Every one of them stays in the target's domain, so that no coverage is traded
-/// for a smaller error. A minimum near `start`: no other basin is looked for. What the judge says of it is the caller's to ask:
-/// the largest error of the result may even be the larger one where nothing was to be gained.
+/// Minimises the largest error [px] of `start` over the rays within `target_reach_rad` of the axis that it can represent,
+/// within the ranges. Begins with a few points of the evaluation's lattice and of the lens's edge. Then adds, again and again,
+/// all points at which the error turns out to be larger than at those (Remez' exchange, but no point is removed). Every point
+/// stays in the target's domain, so that coverage is not traded for a smaller error. Finds a local minimum near `start`; other
+/// minima are not searched for. The caller must evaluate the result: where nothing was to be gained, its largest error may be
+/// larger than that of `start`.
 [[nodiscard]] MinimaxFit fit_largest_error(const CameraModel& source, const CameraModel& start, const Domain& domain,
                                            double target_reach_rad, std::span<const ParameterRange> ranges);
 

@@ -14,10 +14,10 @@ namespace fca::internal {
 
 namespace {
 
-/// The cost as Ceres' TinySolver wants it, compressed: with J'J = L L', the P + 1 residuals [w; sqrt(r'r - w'w)], L w = J'r,
-/// and their Jacobian [L'; 0] have the same cost, gradient and normal equations as the hundreds of rows they stand for.
-/// (LIMITS.md: a fifth of the time of a Ceres problem with a block per point.) Parameters beyond those asked for are there to
-/// round the size up; nothing depends on them. Eigen::Dynamic: any size.
+/// The cost in the form that Ceres' TinySolver needs, compressed. With J'J = L L', the P + 1 residuals [w; sqrt(r'r - w'w)], L
+/// w = J'r, and their Jacobian [L'; 0] have the same cost, gradient and normal equations as the hundreds of rows that they
+/// replace. (LIMITS.md: that takes a fifth of the time of a Ceres problem with a block per point.) If kSize exceeds the number
+/// of parameters, the additional ones affect nothing. Eigen::Dynamic: any size.
 template <int kSize>
 class CompressedCost {
  public:
@@ -33,7 +33,8 @@ class CompressedCost {
   CompressedCost(const Evaluate& evaluate, std::size_t count)
       : evaluate_(evaluate), count_(count), size_(kSize == Eigen::Dynamic ? static_cast<int>(count) : kSize) {}
 
-  /// TinySolver does not look at the result of a trial step: one that cannot be evaluated must cost more than any other.
+  /// TinySolver ignores the return value of a trial step. A step that cannot be evaluated must therefore cost more than any
+  /// other.
   bool operator()(const double* parameters, double* residuals, double* jacobian) const {
     std::fill_n(residuals, size_ + 1, 0.0);
     NormalEquations sums;
@@ -64,7 +65,7 @@ class CompressedCost {
       double pivot = sums.hessian[i * count_ + i];
       const double smallest = std::numeric_limits<double>::epsilon() * pivot;
       for (std::size_t k = 0; k < i; ++k) pivot -= lower(i, k) * lower(i, k);
-      // A direction that the others already span, to rounding: no derivative of its own.
+      // The earlier columns already span this one, to rounding: its derivative is set to 0.
       if (!(pivot > smallest)) continue;
       const double root = std::sqrt(pivot);
       lower(i, i) = root;
@@ -94,12 +95,12 @@ Minimum minimise_padded(const Evaluate& evaluate, const Effort& effort, double s
   Parameters x = Parameters::Zero(cost.NumParameters());
   std::ranges::copy(parameters, x.data());
 
-  solver.options.initial_trust_region_radius = 1e6;  // starts are good: begin close to Gauss-Newton
+  solver.options.initial_trust_region_radius = 1e6;  // starts are good: little damping, close to Gauss-Newton
   solver.options.gradient_tolerance = 0.0;
   solver.options.cost_threshold = 0.0;
   solver.options.parameter_tolerance = 1e-15;
-  // TinySolver's tolerance is absolute, in the cost's unit: first one for costs that nobody sees, then, where the cost turns
-  // out to be small or began high, one that fits it.
+  // TinySolver's tolerance is absolute, in px^2. The first one suits the cost at the start. If the cost becomes much smaller,
+  // the solver continues with one that suits the new cost.
   constexpr double kNobodySees = 1e-13;  // px^2
   double tolerance = std::max(kNobodySees, effort.relative_gain * start_cost);
   Minimum minimum{true, start_cost, 0};
@@ -124,7 +125,7 @@ Minimum minimise_padded(const Evaluate& evaluate, const Effort& effort, double s
 Minimum minimise(const Evaluate& evaluate, const Effort& effort, std::span<double> parameters) {
   NormalEquations sums;
   if (!evaluate(parameters.data(), sums) || !std::isfinite(sums.cost)) return {};
-  // One instance per size would take long to compile.
+  // Sizes are rounded up: an instance for each size would take long to compile.
   constexpr int kSmallest = 2;
   constexpr int kSmall = 6;
   constexpr int kMiddle = 9;

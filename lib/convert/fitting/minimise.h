@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Levenberg-Marquardt over a handful of parameters and hundreds of points. The only door to Ceres' solver: everything above it
-// compiles without Ceres' headers but for jet.h.
+// Levenberg-Marquardt over a few parameters and hundreds of points. Only minimise.cc includes Ceres' solver.
 #pragma once
 
 #include <functional>
@@ -8,15 +7,15 @@
 
 namespace fca::internal {
 
-/// Sums over all residuals r and their derivatives J (one column per parameter): what a step of the solver needs of them.
+/// Sums over all residuals r and their Jacobian J (one column per parameter), from which the solver computes a step.
 struct NormalEquations {
   double cost = 0.0;             ///< r'r
   std::span<double> gradient{};  ///< J'r
   std::span<double> hessian{};   ///< J'J, row-major; the upper triangle is enough
 };
 
-/// Evaluates at `parameters`; the sums of derivatives only where their spans are not empty. False where a point cannot be
-/// projected: the solver then rejects the step.
+/// Computes the cost at `parameters`, and gradient and Hessian unless their spans are empty. False if a point has no pixel; the
+/// solver then rejects the step.
 using Evaluate = std::function<bool(const double* parameters, NormalEquations& sums)>;
 
 struct Minimum {
@@ -25,14 +24,14 @@ struct Minimum {
   int iterations = 0;
 };
 
-/// Where a minimisation may end.
+/// When a minimisation ends.
 struct Effort {
   int max_iterations = 200;
-  /// No further if a step gained less than this share of the cost.
+  /// It ends after a step that reduces the cost by less than this fraction.
   double relative_gain = 1e-12;
 };
 
-/// Minimises the sum of squared residuals from `parameters`, in place.
+/// Minimises the sum of squared residuals, starting from `parameters`, which receive the result.
 Minimum minimise(const Evaluate& evaluate, const Effort& effort, std::span<double> parameters);
 
 }  // namespace fca::internal

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Normal equations that are summed up over several cameras.
+// The normal equations of a problem, summed over several cameras.
 #pragma once
 
 #include "minimise.h"
@@ -15,14 +15,14 @@ class NormalSums {
   explicit NormalSums(Eigen::Index count)
       : hessian_(Eigen::MatrixXd::Zero(count, count)), gradient_(Eigen::VectorXd::Zero(count)) {}
 
-  /// Residuals, and their derivatives by the unknowns from `first` on.
+  /// Adds residuals whose Jacobian's columns are the unknowns from index `first` on.
   void add(const Eigen::MatrixXd& columns, const Eigen::VectorXd& residuals, Eigen::Index first = 0) {
     hessian_.block(first, first, columns.cols(), columns.cols()) += columns.transpose() * columns;
     gradient_.segment(first, columns.cols()) += columns.transpose() * residuals;
     cost_ += residuals.squaredNorm();
   }
 
-  /// What minimise() has asked for.
+  /// Copies the sums to `sums`, for minimise(): the cost, and gradient and Hessian unless their spans are empty.
   void put_into(NormalEquations& sums) const {
     sums.cost = cost_;
     if (sums.gradient.empty()) return;

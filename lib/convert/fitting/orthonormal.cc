@@ -14,8 +14,8 @@ void Orthonormal::reset(std::size_t rows, std::size_t columns) {
   inverse_.assign(columns * columns, 0.0);
 }
 
-// Gram-Schmidt, twice, which makes it as good as Householder's method. R^-1 is kept up to date: if q = (a - sum c_i q_i) / n,
-// the new column of R^-1 is (e - sum c_i R^-1_i) / n.
+// Gram-Schmidt orthogonalisation, done twice, is as accurate as Householder's method. R^-1 is updated with each column: if q =
+// (a - sum c_i q_i) / n, the new column of R^-1 is (e - sum c_i R^-1_i) / n.
 void Orthonormal::add(const double* column) {
   const std::size_t j = added_++;
   double* const q = q_.data() + j * rows_;

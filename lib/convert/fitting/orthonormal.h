@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coordinates in which the columns of a Jacobian J are orthonormal: J = Q R, and y = R (x - x0).
+// The QR decomposition J = Q R of a Jacobian, and the coordinates y = R (x - x0), in which its columns are orthonormal.
 #pragma once
 
 #include "products.h"
@@ -12,15 +12,15 @@ namespace fca::internal {
 
 class Orthonormal {
  public:
-  /// Begins anew, for a Jacobian of that size.
+  /// Starts the decomposition of a Jacobian of that size.
   void reset(std::size_t rows, std::size_t columns);
-  /// The next column of J.
+  /// Adds the next column of J (all rows).
   void add(const double* column);
   /// values += R^-1 y.
   void step(const double* y, double* values) const;
-  /// J R^-1 of another J (all rows of every column are read), into `space`.
+  /// Writes J R^-1 of another J into `space`. Reads all rows of every column.
   void transform(std::span<const Column> jacobian, std::vector<double>& space);
-  /// Its columns.
+  /// The columns of a matrix that transform() wrote. Valid until the next call.
   [[nodiscard]] std::span<const Column> columns(const std::vector<double>& space);
 
  private:

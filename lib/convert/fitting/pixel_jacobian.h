@@ -13,12 +13,13 @@
 
 namespace fca::internal {
 
-/// Derivatives of pixels by each parameter, times the root of the sample's weight: u of all samples, then v.
+/// Derivatives of pixels by each parameter, times the square root of the sample's weight. The rows are u of all samples, then
+/// v.
 struct PixelJacobian {
   Eigen::MatrixXd columns;    ///< One for each parameter.
-  Eigen::VectorXd residuals;  ///< Pixel of the ray minus that of the sample, with the same weight.
+  Eigen::VectorXd residuals;  ///< Model's pixel minus sample's pixel [px], with the same factor.
 
-  /// The two rows of a sample.
+  /// The rows of u and v of one sample.
   [[nodiscard]] Eigen::Matrix<double, 2, Eigen::Dynamic> of(Eigen::Index sample) const {
     Eigen::Matrix<double, 2, Eigen::Dynamic> rows(2, columns.cols());
     rows << columns.row(sample), columns.row(columns.rows() / 2 + sample);
@@ -26,13 +27,14 @@ struct PixelJacobian {
   }
 };
 
-/// Nothing where a sample's ray has no pixel.
+/// nullopt if a sample's ray has no pixel, or a derivative is not finite.
 [[nodiscard]] std::optional<PixelJacobian> jacobian_of(const CameraModel& model, std::span<const Correspondence> samples);
 
-/// Its residuals alone.
+/// Only the residuals of jacobian_of(); nullopt if a sample's ray has no pixel.
 [[nodiscard]] std::optional<Eigen::VectorXd> residuals_of(const CameraModel& model, std::span<const Correspondence> samples);
 
-/// Indices of the parameters that a fit moved: not those of `held`, nor what is 0 or what fits of that model never move.
+/// Indices of the parameters that a fit may have changed: all but those in `held`, lens parameters that are 0, and those that
+/// fits of that model never change.
 [[nodiscard]] std::vector<std::size_t> free_parameters(const CameraModel& model, std::span<const std::string> held);
 
 }  // namespace fca::internal

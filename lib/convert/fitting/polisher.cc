@@ -25,7 +25,8 @@ void Polisher::hold_fixed(Candidate& candidate) const {
   }
 }
 
-/// A start may not reach every sample: fit those it reaches, then ask again with the better parameters.
+/// A start may have no pixel for some samples. The others are fitted first; the better parameters then usually have pixels for
+/// more.
 bool Polisher::polish(Candidate& candidate, std::span<const Correspondence> samples, const Effort& effort) {
   constexpr int kMostRounds = 4;
   std::size_t before = 0;
@@ -75,7 +76,7 @@ Minimum Polisher::minimise_free(const Candidate& candidate, const Effort& effort
   const Evaluate evaluate_at = [this, &candidate](const double* p, NormalEquations& sums) {
     return linearised_.evaluate(merged(candidate, p), sums);
   };
-  // So close to an optimum that J'J leads nowhere: refine() goes on from the start itself.
+  // So close to a minimum the rounding errors of J'J are too large: refine() continues from the start itself.
   constexpr double kTinyCost = 1e-9;
   NormalEquations at_start;
   if (!evaluate_at(free.data(), at_start)) return {};
@@ -83,7 +84,7 @@ Minimum Polisher::minimise_free(const Candidate& candidate, const Effort& effort
   return minimise(evaluate_at, effort, free);
 }
 
-/// With the focal lengths and the centre that are best for each shape.
+/// Minimises over the shape, with the best focal lengths and centre for each shape.
 Minimum Polisher::minimise_shape(const Candidate& candidate, const Effort& effort, std::span<double> free) {
   Projected projected(linearised_, candidate.values, candidate.fixed);
   const Evaluate evaluate_at = [&projected](const double* shape, NormalEquations& sums) {
@@ -101,9 +102,9 @@ Minimum Polisher::minimise_shape(const Candidate& candidate, const Effort& effor
   return minimum;
 }
 
-/// The same in coordinates in which the Jacobian's columns are orthonormal at the start: J'J squares the condition of J, and
-/// where next to nothing is left to gain, in a valley, the way is lost in its rounding. Again while that helps, because the
-/// coordinates are those of one point.
+/// Continues the minimisation in coordinates in which the Jacobian's columns are orthonormal at the start. J'J has the squared
+/// condition of J, so that its rounding errors hide the last gains in a narrow valley. Repeats that while it helps, because the
+/// columns are orthonormal only near one point.
 void Polisher::refine(Candidate& candidate, const Effort& effort, std::span<double> free) {
   constexpr int kMostRounds = 8;
   for (int round = 0; round < kMostRounds && candidate.cost > kExactCost; ++round) {
@@ -147,7 +148,8 @@ ParameterValues Polisher::merged(const Candidate& candidate, const double* free)
   return values;
 }
 
-/// While a parameter lies outside its range: put the one furthest outside on its bound, hold it there, fit the others again.
+/// While a parameter is outside its range: puts the one furthest outside on its bound, holds it there and fits the others
+/// again.
 void Polisher::respect_bounds(Candidate& candidate, std::span<const Correspondence> samples, const Effort& effort) {
   for (std::size_t round = 0; round < count_; ++round) {
     std::optional<std::size_t> worst;
@@ -167,7 +169,8 @@ void Polisher::respect_bounds(Candidate& candidate, std::span<const Corresponden
   }
 }
 
-/// How far from the samples, and whether all of them but for the very edge are in the model's domain. False if none is.
+/// Computes the rms [px], and whether all samples except the very edge (kVeryEdge) lie in the model's domain. False if none
+/// does.
 bool Polisher::score(const Candidate& candidate, std::span<const Correspondence> samples, FoundFit& result) const {
   double weight = 0.0;
   double lowest = 1.0;
@@ -175,8 +178,8 @@ bool Polisher::score(const Candidate& candidate, std::span<const Correspondence>
     weight += s.weight;
     lowest = std::min(lowest, s.ray[2]);
   }
-  // The domain ends at an angle, and to ask for it once is faster than to have project() ask for every ray. The fit knows the
-  // distances if all are inside; what is too close to tell is left to project().
+  // The domain ends at one angle, and computing that once is faster than project() for every ray. If all rays are inside, the
+  // fit's cost gives the rms. Rays too close to that angle to tell are left to project().
   constexpr double kHair = 1e-9;
   const double limit = std::cos(target_.max_angle(candidate.values.data()));
   if (candidate.on_all && lowest > limit + kHair) {
@@ -202,7 +205,7 @@ bool Polisher::score(const Candidate& candidate, std::span<const Correspondence>
     weight += s.weight;
     sum += s.weight * (std::pow(pixel[0] - s.pixel[0], 2) + std::pow(pixel[1] - s.pixel[1], 2));
   }
-  // What lies beyond a pole is spoiled, and so is what lies before it.
+  // A pole also spoils the pixels around it: a model that may have poles must reach every sample.
   result.reaches_all = missed == 0 || (!target_.has_poles() && whole - weight <= kVeryEdge * whole);
   if (!(weight > 0.0)) return false;
   result.rms_px = std::sqrt(sum / weight);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From one start to the bottom of its basin: Levenberg-Marquardt on the geometric residual (pixels), bounds by taking the
-// active parameter out of the step. Whether the camera at the bottom folds inside the samples is asked afterwards.
+// Minimises from one start to the nearest minimum: Levenberg-Marquardt on pixel residuals. A parameter outside its bounds is
+// put on the bound and held. Whether the resulting camera folds inside the samples is checked afterwards.
 #pragma once
 
 #include "fit_limits.h"
@@ -17,38 +17,38 @@
 
 namespace fca::internal {
 
-/// Below this, in px^2, what is left is worth a second look; below that, there is nothing.
+/// Mean squares [px^2]. A cost below kSmallCost is refined further; one below kExactCost counts as 0.
 inline constexpr double kSmallCost = 1e-6;
 inline constexpr double kExactCost = 1e-22;
 
-/// Which basin is deeper shows late, and only on many points, where parameters are as many as rational's.
+/// With as many parameters as rational has, it shows late, and only on many samples, which minimum is lower.
 inline constexpr std::size_t kManyParameters = 11;
 [[nodiscard]] inline bool has_many_parameters(const FitTarget& target) { return target.parameters().size() >= kManyParameters; }
 
-/// A camera on its way.
+/// A camera during a fit.
 struct Candidate {
   ParameterValues values{};
   std::array<bool, kMostParameters> fixed{};
   double cost = 0.0;
   int iterations = 0;
-  bool on_all = true;     ///< The cost is that of all samples.
-  bool is_rival = false;  ///< Of another bottom along a shape, about as deep as the deepest.
+  bool on_all = true;     ///< False if the cost [px^2] leaves out samples without a pixel, or was not computed.
+  bool is_rival = false;  ///< Its cost is close to that of the best other minimum, so that it must be polished too.
 };
 
 class Polisher {
  public:
-  /// The target must outlive it.
+  /// `target` must outlive the Polisher.
   Polisher(const FitTarget& target, std::span<const ParameterRange> ranges);
 
   [[nodiscard]] const FitLimits& limits() const { return limits_; }
 
-  /// Holds what the ranges fix, and puts the other parameters into theirs.
+  /// Marks the parameters that the ranges fix, and moves all values into their ranges.
   void hold_fixed(Candidate& candidate) const;
-  /// To the bottom, whatever the bounds; false if there is no way.
+  /// Minimises without regard to bounds. False if the start cannot be evaluated, or too few samples have pixels.
   bool polish(Candidate& candidate, std::span<const Correspondence> samples, const Effort& effort);
-  /// Back inside the bounds, the others polished again.
+  /// Moves parameters outside their bounds onto these and minimises over the others.
   void respect_bounds(Candidate& candidate, std::span<const Correspondence> samples, const Effort& effort);
-  /// Nothing if it reaches none of the samples.
+  /// The result, with its rms over the samples; nullopt if no sample has a pixel.
   [[nodiscard]] std::optional<FoundFit> finish(const Candidate& candidate, std::span<const Correspondence> samples) const;
 
  private:
@@ -60,10 +60,10 @@ class Polisher {
   [[nodiscard]] bool score(const Candidate& candidate, std::span<const Correspondence> samples, FoundFit& result) const;
 
   const FitTarget& target_;
-  std::size_t count_;  ///< Of parameters.
+  std::size_t count_;  ///< Number of parameters.
   Linearised linearised_;
   std::vector<std::array<double, 2>> pixels_;
-  std::vector<double> moved_;  ///< The Jacobian in other coordinates.
+  std::vector<double> moved_;  ///< The Jacobian in the coordinates of orthonormal_.
   Orthonormal orthonormal_;
   FitLimits limits_;
 };

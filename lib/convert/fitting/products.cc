@@ -10,12 +10,12 @@ namespace fca::internal {
 
 namespace {
 
-/// Four doubles, which a processor adds and multiplies at once, or two and two: with the same result.
+/// Four doubles, which a processor adds and multiplies in one instruction, or two at a time; the result is the same.
 using Four __attribute__((vector_size(32))) = double;
 constexpr std::size_t kFour = 4;
 
 double dot(const double* a, const double* b, std::size_t count) {
-  // Four sums at a time hide the latency of an addition.
+  // Four independent sums hide the latency of an addition.
   Four sums[4] = {};
   std::size_t k = 0;
   const auto add = [&](Four& sum) {

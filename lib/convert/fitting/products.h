@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums of products of columns: the normal equations of a least-squares problem whose Jacobian is stored column by column.
+// Dot products of columns: the normal equations of a least-squares problem whose Jacobian is stored column by column.
 #pragma once
 
 #include <fca/convert/fit_target.h>
@@ -8,10 +8,10 @@
 
 namespace fca::internal {
 
-/// columns[i] . columns[j] for i <= j, into a row-major square matrix; nothing below the diagonal.
+/// Writes columns[i] . columns[j] for i <= j into a row-major square matrix; leaves elements below the diagonal unchanged.
 void products(std::span<const Column> columns, double* matrix);
 
-/// columns[i] . other, one number per column.
+/// Writes columns[i] . other, one number per column.
 void products(std::span<const Column> columns, const Column& other, double* vector);
 
 }  // namespace fca::internal

@@ -23,8 +23,8 @@ bool Projected::Coordinate::look_at(Linearised& linearised, std::size_t axis) {
   return solve();
 }
 
-/// The changes f, c of focal length and centre with the smallest sum of (residual + f focal + c centre)^2, by the 2 x 2 normal
-/// equations.
+/// Solves the 2 x 2 normal equations for the changes f, c of focal length and centre that minimise the sum of (residual + f
+/// focal + c centre)^2.
 bool Projected::Coordinate::solve() {
   const double largest = sum(focal(), focal()) * sum(centre(), centre());
   const double determinant = largest - sum(focal(), centre()) * sum(focal(), centre());
@@ -40,15 +40,15 @@ std::array<double, 2> Projected::Coordinate::solution(double of_focal, double of
   return {inverse_[0] * of_focal + inverse_[1] * of_centre, inverse_[1] * of_focal + inverse_[2] * of_centre};
 }
 
-/// The sum of squares that is left after solve()'s changes, from the sums alone.
+/// The sum of squares after solve()'s changes, computed from the dot products alone.
 double Projected::Coordinate::cost() const {
   const double gain = change_[0] * sum(focal(), residual()) + change_[1] * sum(centre(), residual());
   return std::max(0.0, sum(residual(), residual()) + gain);
 }
 
-/// Gradient and Gauss-Newton matrix of the cost as a function of the shape alone: of each shape column the part that focal
-/// length and centre cannot make up for (Kaufman's approximation). A column is proportional to the focal length, which solve()
-/// changes by the factor `scale`.
+/// Adds gradient and Gauss-Newton matrix of the cost as a function of the shape alone. Of each shape column only the part that
+/// focal length and centre cannot compensate counts (Kaufman's approximation). The columns are proportional to the focal
+/// length, which solve() multiplies by `scale`.
 void Projected::Coordinate::add_to(double scale, const NormalEquations& sums) const {
   for (std::size_t i = 0; i < shape_; ++i) {
     sums.gradient[i] += scale * (sum(i, residual()) + change_[0] * sum(i, focal()) + change_[1] * sum(i, centre()));
@@ -59,8 +59,8 @@ void Projected::Coordinate::add_to(double scale, const NormalEquations& sums) co
 }
 
 bool Projected::suits(const FitTarget& target, const std::array<bool, kMostParameters>& fixed) {
-  // With more parameters of the shape the search for these is itself a narrow valley: mei and rational (5 and 8 parameters)
-  // were no faster.
+  // With more shape parameters the search for these is itself a narrow valley: mei and rational (5 and 8 parameters) became no
+  // faster.
   constexpr std::size_t kFew = 2;
   if (!target.focal_lengths_first() || !target.cheap_slopes()) return false;
   const auto count_free = [](std::span<const bool> held) { return static_cast<std::size_t>(std::ranges::count(held, false)); };
@@ -79,8 +79,8 @@ Projected::Projected(Linearised& linearised, const ParameterValues& start, const
   }
 }
 
-/// Computes the sums at `values`, unless they are those of the last call: the solver asks for the derivatives at the point of
-/// which it has just asked the cost. False where a sample has no pixel.
+/// Computes the sums at `values`, unless the last call did: the solver needs the derivatives where it has just needed the cost.
+/// False if a sample has no pixel, or the samples do not determine focal length and centre.
 bool Projected::look_at(const ParameterValues& values) {
   if (at_ == values) return true;
   at_.reset();

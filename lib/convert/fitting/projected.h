@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Variable projection (Golub & Pereyra 1973, with the derivatives of Kaufman 1975): a pixel is (fx m_x + cx, fy m_y + cy), so
-// for each shape of a lens the best fx, fy, cx, cy are two linear solutions, and only the shape must be searched for. What is a
-// narrow valley in all parameters is a short way in those.
+// Variable projection (Golub & Pereyra 1973, with the derivatives of Kaufman 1975). A pixel is (fx m_x + cx, fy m_y + cy),
+// where m depends on the shape, all other parameters, alone. For each shape the best fx, fy, cx, cy follow from two linear
+// solutions, so that only the shape is searched for. That takes few steps where a search in all parameters follows a narrow
+// valley.
 #pragma once
 
 #include "linearised.h"
@@ -17,31 +18,31 @@ namespace fca::internal {
 
 class Projected {
  public:
-  /// Can a model be fitted in this way, with these parameters fixed?
+  /// True if a model can be fitted in this way, with these parameters fixed.
   [[nodiscard]] static bool suits(const FitTarget& target, const std::array<bool, kMostParameters>& fixed);
 
-  /// `linearised` holds the samples and must outlive it; begins at `start`.
+  /// `linearised` holds the samples and must outlive the object. The shape and the first fx, fy, cx, cy are those of `start`.
   Projected(Linearised& linearised, const ParameterValues& start, const std::array<bool, kMostParameters>& fixed);
 
-  /// What a step of the solver needs at a shape; false where a sample has no pixel.
+  /// Computes the cost for a shape, and gradient and Hessian unless their spans are empty. False if a sample has no pixel.
   bool evaluate(const double* shape, NormalEquations& sums);
 
-  /// The shape to begin with.
+  /// The shape of `start`.
   [[nodiscard]] std::span<const double> shape() const { return std::span(start_).first(count_); }
-  /// All parameters for a shape; where that cannot be evaluated, those of the shape evaluated last.
+  /// All parameters for a shape; if it cannot be evaluated, those of the last shape that was.
   [[nodiscard]] ParameterValues values_at(std::span<const double> shape);
 
  private:
-  /// fx fy cx cy, in this order, with which such a model begins.
+  /// The number of linear parameters: the model's first four, fx fy cx cy.
   static constexpr std::size_t kLinear = 4;
   static constexpr std::size_t kMostShape = kMostParameters - kLinear;
 
-  /// One image axis, u or v, of all samples. Its Jacobian's columns are those of the shape's parameters, then the focal
-  /// length's and the centre's; the residuals follow as a last column. It keeps the dot products of all pairs of columns, and
-  /// the changes of focal length and centre that make the residuals smallest.
+  /// The equations of one image axis, u or v, for all samples. The Jacobian's columns are those of the shape's parameters, then
+  /// focal length and centre, then the residuals. Keeps the dot products of all pairs of columns, and the changes of focal
+  /// length and centre that minimise the residuals.
   class Coordinate {
    public:
-    /// False if the samples do not determine focal length and centre (all at one place).
+    /// Computes the dot products. False if the samples do not determine focal length and centre (all at one place).
     bool look_at(Linearised& linearised, std::size_t axis);
 
     [[nodiscard]] double focal_change() const { return change_[0]; }
@@ -54,25 +55,25 @@ class Projected {
     [[nodiscard]] std::size_t focal() const { return shape_; }
     [[nodiscard]] std::size_t centre() const { return shape_ + 1; }
     [[nodiscard]] std::size_t residual() const { return shape_ + 2; }
-    /// For i <= j.
+    /// The dot product of columns i <= j.
     [[nodiscard]] double sum(std::size_t i, std::size_t j) const { return sums_[i * (shape_ + kOthers) + j]; }
-    /// Of the two normal equations with that right side.
+    /// The solution of the two normal equations for that right side.
     [[nodiscard]] std::array<double, 2> solution(double of_focal, double of_centre) const;
 
     static constexpr std::size_t kOthers = 3;
-    std::size_t shape_ = 0;  ///< How many columns are of the shape.
+    std::size_t shape_ = 0;  ///< Number of shape columns.
     std::array<double, (kMostShape + kOthers) * (kMostShape + kOthers)> sums_;
-    std::array<double, 3> inverse_{};  ///< Of the symmetric 2 x 2 matrix of the normal equations.
+    std::array<double, 3> inverse_{};  ///< Inverse of the symmetric 2 x 2 matrix of the normal equations.
     std::array<double, 2> change_{};
   };
 
   bool look_at(const ParameterValues& values);
 
   Linearised& linearised_;
-  /// Of the last evaluation with slopes, with the focal lengths and the centre that are best there.
+  /// The parameters of the last evaluation with derivatives, with the best focal lengths and centre there.
   ParameterValues values_;
-  std::size_t count_ = 0;                               ///< Of the shape's parameters.
-  std::array<std::size_t, kMostParameters> indices_{};  ///< Theirs among all.
+  std::size_t count_ = 0;                               ///< Number of shape parameters.
+  std::array<std::size_t, kMostParameters> indices_{};  ///< Indices of the shape parameters among all parameters.
   std::array<double, kMostParameters> start_{};
   std::array<Coordinate, 2> coordinates_;
   std::optional<ParameterValues> at_;  ///< The parameters for which coordinates_ were computed.

@@ -16,9 +16,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kRounding = 1e-12;  // of columns and right sides of length 1
+constexpr double kRounding = 1e-12;  // for columns and right sides of length 1
 
-/// The u that minimises |E u - f| over the columns of E that are free, and is 0 elsewhere.
+/// The u that minimises |E u - f| with u = 0 except for the `free` columns of E.
 VectorXd least_squares(const MatrixXd& E, const VectorXd& f, const std::vector<Index>& free) {
   VectorXd u = VectorXd::Zero(E.cols());
   const VectorXd of_free = MatrixXd(E(Eigen::all, free)).colPivHouseholderQr().solve(f);
@@ -26,7 +26,7 @@ VectorXd least_squares(const MatrixXd& E, const VectorXd& f, const std::vector<I
   return u;
 }
 
-/// The u >= 0 that minimises |E u - f| (algorithm NNLS, ibidem).
+/// The u >= 0 that minimises |E u - f| (algorithm NNLS of Lawson and Hanson, see the header).
 VectorXd non_negative_least_squares(const MatrixXd& E, const VectorXd& f) {
   VectorXd u = VectorXd::Zero(E.cols());
   std::vector<Index> free;
@@ -38,7 +38,7 @@ VectorXd non_negative_least_squares(const MatrixXd& E, const VectorXd& f) {
     if (E.cols() == 0 || !(gain.maxCoeff(&best) > kRounding)) return u;
     free.push_back(best);
     VectorXd next = least_squares(E, f, free);
-    // Back to where the first element becomes negative on the way, and without it from there.
+    // If elements become negative on the way to `next`, goes only to where the first one is 0, fixes it at 0 and solves again.
     while (std::ranges::any_of(free, [&next](Index i) { return !(next[i] > 0.0); })) {
       double share = 1.0;
       Index first = free.front();
@@ -65,14 +65,14 @@ std::optional<VectorXd> minimise_quadratic(const MatrixXd& H, const VectorXd& g,
   const VectorXd unit = H.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::LLT<MatrixXd> factors(unit.asDiagonal() * H * unit.asDiagonal());
   if (factors.info() != Eigen::Success) return std::nullopt;
-  // y = L' x / unit + L^-1 (unit g): the quadratic is |y|^2 / 2 and a number.
+  // With y = L' x / unit + L^-1 (unit g) the quadratic is |y|^2 / 2 plus a constant.
   const VectorXd shift = factors.matrixL().solve(unit.cwiseProduct(g));
   const auto x_of = [&](const VectorXd& y) {
     const VectorXd moved = y - shift;
     return VectorXd(unit.cwiseProduct(factors.matrixU().solve(moved)));
   };
   const Index n = H.rows();
-  // Planes as columns: G y >= h.
+  // The constraints as columns [G'; h'], for G y >= h.
   MatrixXd E(n + 1, A.rows());
   E.topRows(n) = factors.matrixL().solve(MatrixXd(unit.asDiagonal() * A.transpose()));
   E.row(n) = (b + E.topRows(n).transpose() * shift).transpose();

@@ -12,14 +12,15 @@ namespace fca::internal {
 
 namespace {
 
-/// A few samples, each figure in an array of its own: short enough for the stack, and of a length that the compiler knows.
+/// A few samples with one array per component. A constant length, short enough for the stack, lets the compiler vectorise
+/// loops.
 constexpr std::size_t kBlock = 16;
 using Lane = std::array<double, kBlock>;
 
 struct Block {
   Lane x, y, z, u, v, root;
 
-  /// The last sample fills what is left.
+  /// Copies the samples from `begin` on; repeats the last sample if fewer than kBlock are left.
   Block(std::span<const Correspondence> samples, std::span<const double> roots, std::size_t begin) {
     for (std::size_t k = 0; k < kBlock; ++k) {
       const std::size_t at = std::min(begin + k, samples.size() - 1);
@@ -34,7 +35,7 @@ struct Block {
   }
 };
 
-/// A length that the compiler knows is copied in a few instructions.
+/// Copies the first `count` numbers. A full block has a constant length, which takes a few instructions.
 void copy(const Lane& lane, std::size_t count, double* to) {
   if (count == kBlock) {
     std::memcpy(to, lane.data(), sizeof lane);
@@ -55,7 +56,7 @@ bool columns_of(const double* p, std::span<const Correspondence> samples, const 
     double missing = 0.0;
     for (std::size_t k = 0; k < kBlock; ++k) {
       const double ray[3] = {block.x[k], block.y[k], block.z[k]};
-      double pixel[2] = {block.u[k], block.v[k]};  // near which the model images the ray
+      double pixel[2] = {block.u[k], block.v[k]};  // a start for models that iterate
       double du[kCount] = {};
       double dv[kCount] = {};
       missing += M::formula_and_slopes(parameters.data(), ray, pixel, du, dv) ? 0.0 : 1.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Residuals and derivatives of the models of the list that have slopes, as SIMD where the compiler and the processor have it.
-// Nothing is fused: the numbers are the same to the last bit on every processor, and so is every fit.
+// Residuals and derivatives of the listed models that have formula_and_slopes, as SIMD where compiler and processor support it.
+// Multiplications and additions are not fused, so that every processor computes the same numbers to the last bit, and the same
+// fit.
 #pragma once
 
 #include <fca/convert/fit_target.h>
@@ -19,10 +20,11 @@ struct IdOf<TypeList<Ms...>> {
   using Any = std::variant<std::type_identity<Ms>...>;
 };
 
-/// Which model of the list.
+/// Selects a model of the list by its type.
 using ListedModel = IdOf<ModelList>::Any;
 
-/// FitTarget::linearise() of a model with slopes; false for one without.
+/// FitTarget::linearise() for a listed model that has formula_and_slopes. False if a sample has no pixel, or the model has
+/// none.
 bool slope_columns(const ListedModel& model, const double* p, std::span<const Correspondence> samples,
                    const LinearisedColumns& out);
 

@@ -16,7 +16,8 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-/// (1/m) log sum exp(m s_k / scale); infinite where a point has no error.
+/// The smooth maximum (1/m) log sum exp(m s_k / scale) of the squared errors s_k, m being the sharpness; infinite if a point
+/// has no error.
 class SmoothMaximum {
  public:
   SmoothMaximum(PointErrors& errors, double sharpness) : errors_(errors), sharpness_(sharpness), squares_(errors.size()) {}
@@ -31,7 +32,8 @@ class SmoothMaximum {
     return largest_ / scale_ + std::log(sum) / sharpness_;
   }
 
-  /// How much each point has to say there where at() was asked last; those that have nothing to say are left out.
+  /// The weight of each point in the smooth maximum at the parameters of the last at(); points with a weight below 1e-9 are
+  /// omitted.
   [[nodiscard]] std::vector<WeightedPoint> weights() const {
     constexpr double kNothing = 1e-9;
     std::vector<WeightedPoint> result;
@@ -42,7 +44,7 @@ class SmoothMaximum {
     return result;
   }
 
-  /// In px^2: what counts as 1. The largest square where at() was asked first.
+  /// The unit of the smooth maximum [px^2]: the largest squared error in the first call of at().
   [[nodiscard]] double scale() const { return scale_; }
 
  private:
@@ -64,9 +66,9 @@ Matrix triangle_of(const Matrix& system) {
   return Eigen::HouseholderQR<Matrix>(system).matrixQR().topRows(height).triangularView<Eigen::Upper>();
 }
 
-/// The smooth maximum near some parameters, as a least-squares problem |A d - b|^2 / 2 whose gradient and Hessian are its own:
-/// with w_k the points' weights, H = sum 2 w_k J_k'J_k + m sum w_k (g_k - g)(g_k - g)', g_k = 2 J_k'e_k, g their weighted mean.
-/// A in triangular form: the condition of J'J would be that of J squared.
+/// The smooth maximum near given parameters as a least-squares problem |A d - b|^2 / 2 with the same gradient and Hessian. With
+/// w_k the points' weights, H = sum 2 w_k J_k'J_k + m sum w_k (g_k - g)(g_k - g)', g_k = 2 J_k'e_k, g their weighted mean. A is
+/// kept in triangular form, since J'J has the squared condition of J.
 struct Quadratic {
   Matrix triangle;
   Vector right;
@@ -89,7 +91,7 @@ Quadratic expand(const LinearErrors& linear, std::span<const WeightedPoint> poin
   for (Eigen::Index i = 0; i < count; ++i) {
     auto column = system.col(i);
     column.head(2 * n) = mapped(linear.columns[columns[static_cast<std::size_t>(i)]], rows) / std::sqrt(scale);
-    // w_k g_k, of which the mean is g.
+    // w_k g_k; their sum is g.
     auto spread = column.tail(n);
     spread =
         -2.0 * (column.head(n).cwiseProduct(residuals.head(n)) + column.segment(n, n).cwiseProduct(residuals.segment(n, n)));
@@ -103,8 +105,8 @@ Quadratic expand(const LinearErrors& linear, std::span<const WeightedPoint> poin
   return result;
 }
 
-/// The damped Newton step. Damping holds back each parameter by its effect on all points: those that have nothing to say now
-/// would, if a parameter that moves only them ran away.
+/// The damped Newton step. Damping limits each parameter by its effect on all points, not only on those of large weight:
+/// otherwise a parameter that moves only the others could run away.
 Vector damped_step(const Quadratic& quadratic, const Vector& effects, double damping) {
   const Eigen::Index height = quadratic.triangle.rows();
   const Eigen::Index count = quadratic.triangle.cols();
@@ -116,12 +118,12 @@ Vector damped_step(const Quadratic& quadratic, const Vector& effects, double dam
   return Eigen::HouseholderQR<Matrix>(system).solve(right);
 }
 
-/// What the quadratic promises for a step.
+/// The decrease that the quadratic predicts for a step.
 double promised(const Quadratic& quadratic, const Vector& step) {
   return 0.5 * (quadratic.right.squaredNorm() - (quadratic.right - quadratic.triangle * step).squaredNorm());
 }
 
-/// One smooth maximum, minimised.
+/// Minimises the smooth maximum for one sharpness.
 class Descent {
  public:
   Descent(PointErrors& errors, std::span<const FreeParameter> free, double sharpness, std::span<double> values)
@@ -143,9 +145,9 @@ class Descent {
 
  private:
   static constexpr double kFirstDamping = 1e-3;
-  static constexpr double kNobodySees = 1e-3;  ///< Of the smooth maximum's distance from the maximum.
+  static constexpr double kNobodySees = 1e-3;  ///< Fraction of the smooth maximum's excess over the maximum.
 
-  /// How far each parameter moves the points, in root mean square.
+  /// Computes how far each parameter moves the points, as an rms over all points. False if a point has no derivative.
   bool measure() {
     std::vector<WeightedPoint> all(errors_.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = {i, 1.0 / static_cast<double>(all.size())};
@@ -159,7 +161,8 @@ class Descent {
     return true;
   }
 
-  /// The quadratic in the parameters that a step downhill would not push through a bound on which they lie.
+  /// Expands the smooth maximum at the current parameters. Leaves out parameters at a bound that a step downhill would push
+  /// outside. False if none is left, or a point has no derivative.
   bool expand_here() {
     const std::vector<WeightedPoint> points = maximum_.weights();
     LinearErrors linear;
@@ -182,7 +185,7 @@ class Descent {
     return std::min(quadratic_.right.size(), static_cast<Eigen::Index>(columns_.size()));
   }
 
-  /// Goes down by one step, the damping raised until one leads down. False if none does.
+  /// Takes one step that reduces the smooth maximum; increases the damping until there is one. False if there is none.
   bool improve(double& damping, double& value) {
     constexpr double kMostDamping = 1e12;
     constexpr double kLess = 0.1;
@@ -213,7 +216,7 @@ class Descent {
   double sharpness_;
   std::span<double> values_;
   SmoothMaximum maximum_;
-  std::vector<std::size_t> columns_;  ///< Of the parameters that may move.
+  std::vector<std::size_t> columns_;  ///< Indices in free_ of the parameters that may move.
   Quadratic quadratic_;
   Vector effects_;
 };

@@ -17,7 +17,7 @@ namespace {
 
 using Samples = std::vector<Correspondence>;
 
-/// The first step of the angles, and the rms that is left after it if errors were linear.
+/// The first step of the rotation vector [rad], and the rms [px] after it if errors were linear.
 struct Step {
   Eigen::Vector3d angles;
   double rms_px = 0.0;
@@ -32,10 +32,11 @@ std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples,
   Eigen::MatrixXd slopes(jacobian->columns.rows(), parameters + count);
   slopes.leftCols(parameters) = jacobian->columns(Eigen::all, free);
   if (!put_slopes_of_angles(fitted.model, samples, Eigen::Vector3d::Zero(), slopes.rightCols(count))) return std::nullopt;
-  // Coefficients of high powers have columns of other lengths than focal lengths.
+  // Columns are scaled to length 1: those of coefficients of high powers have other magnitudes than those of focal lengths.
   const Eigen::VectorXd lengths = slopes.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
   slopes = slopes * lengths.cwiseInverse().asDiagonal();
-  // The axis hardly tells a turn about itself from nothing, and a shift of a narrow lens from a turn.
+  // The samples hardly distinguish a turn about the axis from no turn and, for a narrow lens, a turn from a shift of the
+  // principal point.
   constexpr double kHardlyApart = 1e-7;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(slopes.rows(), slopes.cols());
   solver.setThreshold(kHardlyApart);
@@ -61,7 +62,7 @@ std::optional<TurnedFit> fit_with_turn(const FittedModel& start, std::span<const
   constexpr int kMostHalvings = 8;
   constexpr double kGain = 1e-4;  // of the rms
   const Samples counted = of_some_weight(samples);
-  // A fit's rms is that of its own samples.
+  // The start's rms is over other samples: it is fitted again to make them comparable.
   std::optional<FittedModel> best = fit_from(start.model, counted, ranges);
   if (!best) return std::nullopt;
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A turn of the camera fitted together with its model: what a model cannot hold of a lens (tangential terms, an affine part) is
-// mostly a tilt of its axis, and a pose can hold that.
+// Fits a rotation of the camera together with its model. What a model cannot represent of a lens (tangential terms, an affine
+// part) is mostly a tilt of its axis, which a pose can represent.
 #pragma once
 
 #include "fit_model.h"
@@ -14,16 +14,15 @@ namespace fca::internal {
 
 struct TurnedFit {
   FittedModel fitted;
-  Transform T_target_source;  ///< A rotation.
+  Transform T_target_source;  ///< A rotation; takes rays of the source to rays of the target.
 };
 
-/// From the best fit without a turn to the best one with it: Gauss-Newton steps of the angles along which the other parameters
-/// follow (variable projection: Golub & Pereyra 1973), each with the model refitted to the turned rays. Nothing where no step
-/// is better.
+/// Finds the best fit with a rotation, starting from the best one without. Gauss-Newton steps change the angles; after each the
+/// model is fitted again to the rotated rays (variable projection: Golub & Pereyra 1973). nullopt if no step improves the rms.
 [[nodiscard]] std::optional<TurnedFit> fit_with_turn(const FittedModel& start, std::span<const Correspondence> samples,
                                                      std::span<const ParameterRange> ranges);
 
-/// What fit_with_turn() would come to by its first step, without it.
+/// An estimate of what fit_with_turn() would reach, from its first step.
 struct TurnEstimate {
   double rms_px = 0.0;
   double angle_rad = 0.0;

@@ -11,7 +11,7 @@ namespace fca::internal {
 
 namespace {
 
-/// Of the parameters that leave their usual range.
+/// The parameters outside their usual range, except those that a range of the options fixes at one value.
 std::vector<UnusualParameter> unusual_of(const CameraModel& model, std::span<const ParameterRange> ranges) {
   std::vector<UnusualParameter> found;
   const std::span<const double> values = parameter_values(model);

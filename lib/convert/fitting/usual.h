@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fits whose parameters stay where those of published cameras lie, if that costs next to nothing.
+// Fits that keep parameters in the range of published cameras, if that costs nearly nothing.
 #pragma once
 
 #include "fit_domain.h"
@@ -12,13 +12,13 @@ namespace fca::internal {
 
 struct UsualFit {
   DomainFit fit;
-  std::vector<ParameterRange> ranges;     ///< That it was made with.
-  std::vector<UnusualParameter> unusual;  ///< What it leaves the usual range with.
+  std::vector<ParameterRange> ranges;     ///< The ranges of this fit.
+  std::vector<UnusualParameter> unusual;  ///< The parameters outside their usual range.
 };
 
-/// fit_fixed(); where a parameter leaves its usual range (Parameter::usual), which no range of the options mentions, the best
-/// fit inside, if its rms is within 1 % of the other's, or nobody sees the difference. Of exact fits it is the lens itself that
-/// is unusual: they stay.
+/// Like fit_fixed(). If a parameter ends outside its usual range (Parameter::usual) and no range of the options fixes it, fits
+/// again inside all usual ranges. Takes that fit if its rms is within 1 % or 1e-4 px of the first one's. A fit with an rms
+/// below 1e-6 px is kept, since the lens itself is then unusual.
 [[nodiscard]] UsualFit fit_usual(const FitTask& task);
 
 }  // namespace fca::internal

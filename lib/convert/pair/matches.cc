@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 Vector3d vector_of(const std::array<double, 3>& ray) { return {ray[0], ray[1], ray[2]}; }
 
-/// Where the camera shows a unit ray, if it counts there.
+/// The camera's pixel of a unit ray; nullopt if that is outside the camera's domain or its fit has no pixel there.
 std::optional<Pixel> counted_pixel(const CameraOfPair& of_pair, const Vector3d& ray) {
   if (std::atan2(std::hypot(ray[0], ray[1]), ray[2]) > of_pair.domain.max_angle_rad) return std::nullopt;
   const Ray direction = {ray[0], ray[1], ray[2]};
@@ -28,7 +28,8 @@ std::optional<Pixel> counted_pixel(const CameraOfPair& of_pair, const Vector3d& 
   return pixel && of_pair.domain.size.holds(*pixel) && of_pair.domain.is_lit(*pixel) ? pixel : std::nullopt;
 }
 
-/// The unit ray of a pixel along `normal`: its derivatives by u and v; nothing where a neighbour has no ray.
+/// The derivatives, by u and v, of the component along `normal` of a pixel's unit ray [1/px]; nullopt if a neighbour has no
+/// ray.
 std::optional<Eigen::RowVector2d> slope_along(const CameraModel& model, const Pixel& pixel, const Vector3d& normal) {
   constexpr double kStep = 0.25;  // px
   Eigen::RowVector2d slope;
@@ -45,7 +46,8 @@ std::optional<Eigen::RowVector2d> slope_along(const CameraModel& model, const Pi
   return slope;
 }
 
-/// The rows of the rectified images [px of the images' middle], which are columns where one camera stands above the other.
+/// The row coordinate in a pair of rectified images [px, at the scale of the middle of the source images]; the column
+/// coordinate if one camera is above the other.
 class Rows {
  public:
   Rows(const std::array<CameraOfPair, 2>& cameras, const RectifyingRotations& rotations)
@@ -55,7 +57,7 @@ class Rows {
       focal_length_ += 0.5 * central_focal_lengths(each.camera->model).at(static_cast<std::size_t>(across_));
   }
 
-  /// d row / d ray for a unit ray of a camera; nothing where it cannot be rectified.
+  /// Derivative of the row by a camera's unit ray; nullopt if the ray is too far from the rectified axis.
   [[nodiscard]] std::optional<Vector3d> slope(std::size_t camera, const Vector3d& ray) const {
     const Vector3d rectified = R_rectified_camera_.at(camera) * ray;
     const double depth = rectified[2];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What both cameras of a pair see, and how a wrong pixel of either moves it across the rows of the rectified images.
+// Points that both cameras of a pair see, and how a pixel error of either camera changes the row difference of the rectified
+// images.
 #pragma once
 
 #include <fca/convert/domain.h>
@@ -14,23 +15,23 @@
 
 namespace fca::internal {
 
-/// Rays and pixels of both cameras, one for one. The weights of each list sum to 1.
+/// Corresponding rays and pixels of both cameras, with the same index. The weights of each list sum to 1.
 struct Matches {
   std::array<std::vector<Correspondence>, 2> seen;
-  /// By how many rows the two rectified images of a match come to differ for each pixel by which that camera is off in u and v.
+  /// The change of the row difference between the rectified images per pixel of error of that camera, in u and v.
   std::array<std::vector<Eigen::RowVector2d>, 2> slopes;
 };
 
-/// A camera and where it counts.
+/// A camera of a pair and the domain on which it is compared.
 struct CameraOfPair {
   const Camera* camera;
-  const CameraModel* start;  ///< What is fitted begins there: rays that it has no pixel for do not count.
+  const CameraModel* start;  ///< The model with which the fit starts; rays without a pixel in it are ignored.
   Domain domain;
-  std::vector<Correspondence> samples;  ///< Of the domain.
+  std::vector<Correspondence> samples;  ///< Samples of `domain`.
 };
 
-/// Of points in the directions of the first camera's samples, at infinity and at ten baselines, up to 60 deg from both axes.
-/// Empty where both see nothing in common, or stand at one place.
+/// Matches for points in the directions of the first camera's samples, at infinity and at ten baselines, up to 60 degrees from
+/// both rectified axes. Empty if the cameras see nothing in common or are at the same place.
 [[nodiscard]] Matches matches_of(const std::array<CameraOfPair, 2>& cameras, const Transform& T_second_first);
 
 }  // namespace fca::internal

@@ -32,10 +32,11 @@ using internal::CameraOfPair;
 using internal::Matches;
 using internal::PixelJacobian;
 
-/// A row by which matches differ counts as so many pixels of a camera.
+/// The weight of a row difference of one pixel, relative to a camera's error of one pixel.
 constexpr double kWeightOfRows = 3.0;
 
-/// One camera's part of the unknowns: the parameters that a fit may move, then the angles by which it is turned.
+/// The unknowns of one camera: parameters that a fit may change, then rotation angles. `first`: index of the first among all
+/// unknowns.
 struct Unknowns {
   std::vector<Index> parameters;
   Index angles = 0;
@@ -44,12 +45,12 @@ struct Unknowns {
   [[nodiscard]] Index count() const { return static_cast<Index>(parameters.size()) + angles; }
 };
 
-/// A camera as it is being fitted.
+/// A camera during the fit. `angles`: rotation vector [rad].
 struct State {
   CameraModel model;
   Eigen::Vector3d angles = Eigen::Vector3d::Zero();
 
-  /// T_target_source, a rotation.
+  /// T_target_source: a rotation that takes rays of the source to rays of the fitted camera.
   [[nodiscard]] Transform turn() const { return internal::transform_of(internal::rotation_by(angles)); }
 };
 
@@ -66,7 +67,7 @@ class Problem {
     }
   }
 
-  /// Both cameras from there to the least sum; nothing where a sample has no pixel at the start.
+  /// Minimises the sum of squares from `start`; nullopt if a sample has no pixel there.
   [[nodiscard]] std::optional<std::array<State, 2>> solve(const std::array<State, 2>& start) const {
     std::vector<double> unknowns = unknowns_of(start);
     const internal::Minimum minimum = internal::minimise(
@@ -100,7 +101,7 @@ class Problem {
     return states;
   }
 
-  /// The residuals of rays that one camera sees, and their derivatives by its own unknowns.
+  /// The residuals of one camera's rays, and their derivatives by this camera's unknowns; nullopt if a ray has no pixel.
   [[nodiscard]] std::optional<PixelJacobian> slopes(std::size_t i, const State& state,
                                                     std::span<const Correspondence> samples) const {
     const Unknowns& unknowns = unknowns_.at(i);
@@ -114,7 +115,7 @@ class Problem {
     return own;
   }
 
-  /// What one camera's pixels add to the rows by which matches differ; `numbers`: columns or residuals of these.
+  /// Converts one camera's pixel residuals, or columns of their Jacobian, to row differences of the matches.
   [[nodiscard]] MatrixXd rows_of(std::size_t i, const Eigen::Ref<const MatrixXd>& numbers) const {
     const auto count = static_cast<Index>(matches_.slopes.at(i).size());
     MatrixXd rows(count, numbers.cols());
@@ -125,7 +126,7 @@ class Problem {
     return rows;
   }
 
-  /// False where a state is no camera within its ranges or a ray has no pixel.
+  /// Sums the normal equations. False if a state is not valid or outside its ranges, or a ray has no pixel.
   [[nodiscard]] bool sum_up(const std::array<State, 2>& states, internal::NormalEquations& sums) const {
     for (std::size_t i = 0; i < 2; ++i) {
       if (!validate(states.at(i).model).empty() || !within(states.at(i).model, fits_.at(i).options.ranges)) return false;
@@ -152,7 +153,8 @@ class Problem {
   std::array<Unknowns, 2> unknowns_;
 };
 
-/// The domain up to where the camera's own fit counts.
+/// A camera of the pair with its domain, limited to the angles at which its separate fit was scored; nullopt if there is no
+/// domain.
 std::optional<CameraOfPair> of_pair(const SeparateFit& fit) {
   constexpr int kSamples = 400;
   Diagnostics told_already;
@@ -174,7 +176,8 @@ std::optional<PairError> error_of(const std::array<SeparateFit, 2>& fits, const 
   return pair_error({fits[0].source, states[0].model}, {fits[1].source, states[1].model}, T_second_first, T_meant);
 }
 
-/// The conversion with another camera, judged as it was; nothing where that reaches less of the image.
+/// The conversion with its camera replaced by `state`, evaluated with the same options; nullopt if that covers less of the
+/// image.
 std::optional<Conversion> conversion_to(const SeparateFit& fit, const State& state) {
   Diagnostics told_already;
   const std::optional<Domain> domain = domain_of(fit.source, fit.options.max_angle_rad, told_already);

@@ -16,13 +16,13 @@ namespace fca {
 
 namespace {
 
-/// A part of the image, both corners included.
+/// A rectangle of the image; both corners belong to it.
 struct Window {
   Pixel first = {};
   Pixel last = {};
 };
 
-/// What of the image lies about as far from the axis.
+/// The part of the image that lies roughly within `angle_rad` of the axis.
 Window around_axis(const Lens& lens, const ImageSize& size, double angle_rad) {
   const LensCentre centre = lens.centre();
   const std::array<double, 2> end = {size.width - 1.0, size.height - 1.0};
@@ -35,8 +35,8 @@ Window around_axis(const Lens& lens, const ImageSize& size, double angle_rad) {
   return window;
 }
 
-/// The rays of a coarse lattice of a window of the image, its border included: the border alone would miss a lens that ends
-/// inside the image.
+/// The rays at a coarse lattice of pixels in a window of the image, including its border. The border alone would miss a lens
+/// that ends inside the image.
 class RayLattice {
  public:
   RayLattice(const Lens& lens, const Window& window) : lens_(lens) {
@@ -61,7 +61,7 @@ class RayLattice {
     look();
   }
 
-  /// The largest angle that does not exceed the limit; negative if there is none.
+  /// The largest angle [rad] of these rays that does not exceed `limit`; negative if there is none.
   [[nodiscard]] double largest_angle(double limit) const {
     constexpr double kClose = 1e-9;
     const double limit_cosine = std::cos(limit);
@@ -72,7 +72,7 @@ class RayLattice {
       if (std::abs(difference) > kClose ? difference > 0.0 : angle_from_axis(seen.ray) <= limit) furthest = &seen;
     }
     if (furthest == nullptr) return -1.0;
-    return angle_from_axis(lens_.ray(furthest->pixel).value_or(furthest->ray));  // the lens's own, to the last bit
+    return angle_from_axis(lens_.ray(furthest->pixel).value_or(furthest->ray));  // exactly as Lens computes it
   }
 
  private:
@@ -96,7 +96,7 @@ class RayLattice {
   std::vector<Seen> seen_;
 };
 
-/// Does every pixel of the border have a ray? If not, the lens ends inside the image.
+/// True if sampled pixels of the whole border have rays. If not, the lens ends inside the image.
 bool border_is_covered(const Lens& lens, const ImageSize& size) {
   constexpr int kSteps = 64;
   const double width = size.width - 1.0;
@@ -111,11 +111,11 @@ bool border_is_covered(const Lens& lens, const ImageSize& size) {
   return true;
 }
 
-/// What counts as lens, and who says so.
+/// The largest angle that counts as lens, and the codes of the clauses that explain it.
 struct Limit {
   double rad = std::numbers::pi;
-  Code who{};   ///< Where it cuts something off.
-  Code kept{};  ///< Where it does not.
+  Code who{};   ///< Used if the limit is below the image's largest angle.
+  Code kept{};  ///< Used if it is not.
 };
 
 Limit as_given(double rad) { return {rad, Code::kDomainGiven, Code::kDomainInsideGiven}; }
@@ -126,8 +126,8 @@ std::array<Pixel, 4> corners_of(const ImageSize& size) {
   return {{{0.0, 0.0}, {right, 0.0}, {0.0, bottom}, {right, bottom}}};
 }
 
-/// The largest angle in what the circle holds of the image. Angles grow outwards: it is one of the rim, or of a corner. Nothing
-/// where the rim has no ray.
+/// The largest angle [rad] in the part of the image inside the circle. Angles grow outwards, so it occurs on the rim or in a
+/// corner. The model's largest angle if a pixel there has no ray; nullopt if no pixel of the rim has one.
 std::optional<double> largest_angle_in(const LensCircle& circle, const Lens& lens, const ImageSize& size) {
   double largest = 0.0;
   bool model_ends = false;
@@ -162,7 +162,7 @@ std::optional<double> largest_angle_in(const LensCircle& circle, const Lens& len
   return model_ends ? lens.max_angle_rad() : largest;
 }
 
-/// Are image and limit such that there can be a domain? False with an error.
+/// True if image size and limit allow a domain; otherwise false, with an error.
 bool is_usable(const ImageSize& size, std::optional<double> limit_rad, const std::string& name, Diagnostics& diagnostics) {
   if (const Message problem = problem_with_image_size(size); problem.is_said()) {
     diagnostics.add(Code::kImageSizeInvalid, {name, problem});
@@ -180,7 +180,7 @@ std::optional<Domain> domain_within(const Lens& lens, const ImageSize& size, con
   const double limit = given ? given->rad : std::numbers::pi;
   const RayLattice rays(lens, {{0.0, 0.0}, {size.width - 1.0, size.height - 1.0}});
   double largest = rays.largest_angle(limit);
-  // A few degrees may lie between the lattice's points.
+  // A lens of a few degrees may fit between the points of the coarse lattice.
   if (largest < 0.0 && given) largest = RayLattice(lens, around_axis(lens, size, limit)).largest_angle(limit);
   if (largest < 0.0 && given && rays.largest_angle(std::numbers::pi) >= 0.0) {
     diagnostics.add(Code::kNoPixelInTheLens, {name});
@@ -200,14 +200,14 @@ std::optional<Domain> domain_within(const Lens& lens, const ImageSize& size, con
     domain.max_angle_rad = std::min(model_limit, limit);
     domain.why = {given && limit < model_limit ? given->who : Code::kDomainModelEnds};
   } else {
-    // Corners are lattice points, so this is the image's own largest angle; the slack keeps rounding from dropping them.
+    // The corners are lattice points, so that this is the image's largest angle. The slack keeps rounding from excluding them.
     domain.max_angle_rad = std::min(largest * (1.0 + 1e-12), std::numbers::pi);
     domain.why = {given ? given->kept : Code::kDomainWholeImage};
   }
   return domain;
 }
 
-/// `limit`: what the domain was cut by so far, or null.
+/// Restricts the domain to the camera's circle. `limit`: the limit given so far, or null.
 void cut_by_circle(const LensCircle& circle, const Camera& camera, const Limit* limit, Domain& domain) {
   const auto is_lit = [&circle](const Pixel& pixel) { return circle.contains(pixel); };
   if (std::ranges::all_of(corners_of(domain.size), is_lit)) {

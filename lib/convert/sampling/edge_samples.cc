@@ -10,7 +10,7 @@ namespace fca::internal {
 
 void add_edge(const CameraModel& source, const Domain& domain, std::vector<Correspondence>& samples) {
   constexpr int kAzimuths = 24;
-  constexpr double kInside = 1.0 - 1e-7;  // so that rounding keeps it in the domain, where the lens folds, too
+  constexpr double kInside = 1.0 - 1e-7;  // keeps points in the domain in spite of rounding, also where the lens folds
   constexpr double kMostWeight = 1e-6;
   const ImageSize& size = domain.size;
   const double weight = std::min(kMostWeight, 0.25 / (static_cast<double>(size.width) * size.height));

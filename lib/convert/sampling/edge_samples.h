@@ -9,8 +9,8 @@
 
 namespace fca::internal {
 
-/// Adds to samples of a domain points of its edge that stand for next to nothing of its area: a pole between it and the
-/// outermost sample, or a radius that turns back there, would cost a fit nothing and spoil the pixels around it.
+/// Adds points on the domain's edge, with weights near 0, to its samples. Without them, a pole or a radius that turns back
+/// between the outermost sample and the edge would not change a fit's cost, but would spoil the pixels there.
 void add_edge(const CameraModel& source, const Domain& domain, std::vector<Correspondence>& samples);
 
 }  // namespace fca::internal

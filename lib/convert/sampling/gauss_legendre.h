@@ -10,8 +10,8 @@ struct Node {
   double weight;    ///< the weights sum to 1
 };
 
-/// Gauss-Legendre nodes on (0, 1), n >= 1. Remembered: every conversion asks for the same few, and they take as long as the
-/// pixels.
+/// The n >= 1 Gauss-Legendre nodes on (0, 1). They are cached per thread, since every conversion needs the same few and
+/// computing them takes as long as the pixels.
 [[nodiscard]] const std::vector<Node>& gauss_legendre(int n);
 
 }  // namespace fca::internal

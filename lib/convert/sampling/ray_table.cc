@@ -43,13 +43,13 @@ std::optional<LensCentre> centre_of(std::span<const Correspondence> table) {
 
 namespace {
 
-/// A ray at some distance from the pixel of the axis.
+/// A ray and its pixel, with the pixel's distance from the pixel of the axis.
 struct Sighting {
   Correspondence entry;
   double radius_px = 0.0;
 };
 
-/// From the axis outwards, in that direction about it: as far as the radius grows.
+/// Rays from the axis outwards at one azimuth [rad], as long as the image radius grows.
 std::vector<Sighting> sightings_along(const Projection& projection, const Pixel& centre, double azimuth, double max_angle_rad) {
   constexpr int kSteps = 400;
   std::vector<Sighting> line;
@@ -67,7 +67,7 @@ std::vector<Sighting> sightings_along(const Projection& projection, const Pixel&
   return line;
 }
 
-/// About the axis: evenly, and those of the image's corners; ascending.
+/// Azimuths about the axis [rad], ascending: evenly spaced ones, and those of the image's corners.
 std::vector<double> directions_from(const Pixel& centre, const ImageSize& size) {
   constexpr int kEvenly = 64;
   constexpr std::size_t kCorners = 4;

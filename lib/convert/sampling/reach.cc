@@ -15,10 +15,10 @@ namespace {
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double kFirstDeg = 90.0;
 constexpr double kStepDeg = 5.0;
-constexpr double kHair = 1e-9;  // rad; an angle within it of the cone's is the cone's own
+constexpr double kHair = 1e-9;  // rad; angles that differ by less are equal
 
-/// The part of the lens that the image shows, if it goes beyond 90 degrees and nobody gave the lens's angle: else there is no
-/// smaller angle to try.
+/// The camera's domain if it ends beyond 90 degrees and neither the options nor a lens circle limit it; otherwise nullopt:
+/// there is no smaller angle to try.
 std::optional<Domain> wide_domain(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics) {
   if (options.max_angle_rad || camera.lens_circle) return std::nullopt;
   std::optional<Domain> domain = domain_of(camera, std::nullopt, diagnostics);
@@ -43,8 +43,8 @@ std::optional<ReachRow> fitted_row(const Camera& camera, ConvertOptions options,
   return row_of(angle_rad, conversion->report);
 }
 
-/// The row for `angle_rad` of a fit to a cone that ends before that angle. A fit for that angle would be the same one. Only the
-/// share of the lens that it cannot describe grows with the angle: it is measured again.
+/// The row for `angle_rad`, if the fit to a cone that ends before that angle would be the same. Only the share of the lens that
+/// it cannot describe grows with the angle and is measured again.
 ReachRow row_beyond(const Camera& camera, Domain domain, double angle_rad, const ConversionReport& report) {
   domain.max_angle_rad = angle_rad;
   const internal::Scorer lens(camera.model, &camera.model, nullptr, domain, std::numbers::pi);
@@ -53,7 +53,7 @@ ReachRow row_beyond(const Camera& camera, Domain domain, double angle_rad, const
   return row;
 }
 
-/// `whole`: the conversion of the whole lens, of which rows are taken over; null where it failed.
+/// The rows of the table. `whole`: the report on the whole lens, whose fit some rows share; null if that conversion failed.
 std::vector<ReachRow> rows(const Camera& camera, const ConvertOptions& options, const Domain& domain,
                            const ConversionReport* whole) {
   // A pinhole-like model is fitted to a cone inside 90 degrees, and any other to the largest cone that it describes. If that
@@ -94,7 +94,7 @@ std::vector<ReachRow> reach_table(const Camera& camera, const ConvertOptions& op
 
 std::vector<ReachRow> reach_table(const Camera& camera, const ConvertOptions& options, const ConversionReport& report,
                                   Diagnostics& diagnostics) {
-  // All of the lens was scored, and it ends within 90 degrees: there is no smaller angle to try.
+  // The whole lens was scored, and it ends within 90 degrees: there is no smaller angle to try.
   if (report.judgement.coverage.unrepresentable == 0.0 && report.scored_to_deg <= kFirstDeg) return {};
   const std::optional<Domain> domain = wide_domain(camera, options, diagnostics);
   return domain ? rows(camera, options, *domain, &report) : std::vector<ReachRow>();

@@ -24,8 +24,8 @@ bool is_any_of(const CameraModel& model) {
   return (std::holds_alternative<Intrinsics<Ms>>(model) || ...);
 }
 
-/// The domain's rays. Domain::ray asks for an angle, which takes longer than most models' rays; nearly always their height
-/// decides.
+/// Rays of the domain's pixels, faster than Domain::ray(). That computes an angle, which takes longer than most models' rays;
+/// here the ray's z nearly always decides.
 class Rays {
  public:
   Rays(const Lens& source, const Domain& domain) : source_(source), domain_(domain), lowest_(std::cos(domain.max_angle_rad)) {}
@@ -38,7 +38,7 @@ class Rays {
     return ray;
   }
   [[nodiscard]] bool surely_inside(double cosine) const { return cosine > lowest_ + kUnclear; }
-  /// The same for many pixels, of models that search for a ray: of others one by one is as fast.
+  /// Kernels for many pixels, for models whose rays need a search; nullopt for other models, whose rays are as fast one by one.
   [[nodiscard]] std::optional<internal::BatchRays> batch() const {
     const CameraModel* model = source_.model();
     if (model == nullptr || !is_any_of<Kb4, Radtan, Rational>(*model) || !validate(*model).empty()) return std::nullopt;
@@ -46,7 +46,8 @@ class Rays {
   }
   [[nodiscard]] bool is_lit(const Pixel& pixel) const { return domain_.is_lit(pixel); }
   [[nodiscard]] bool has(const Pixel& pixel) const { return (*this)(pixel).has_value(); }
-  /// Beyond the domain's limit, in radians (about as many, of a circle); nothing where the source has no ray.
+  /// How far a pixel's ray lies beyond the domain's edge [rad; at a circle's edge approximately]; negative inside. nullopt if
+  /// the source has no ray.
   [[nodiscard]] std::optional<double> beyond(const Pixel& pixel) const {
     const std::optional<Ray> ray = source_.ray(pixel);
     if (!ray) return std::nullopt;
@@ -60,7 +61,7 @@ class Rays {
   static constexpr double kUnclear = 1e-9;
   const Lens& source_;
   const Domain& domain_;
-  double lowest_;  ///< Cosine of the limit.
+  double lowest_;  ///< Cosine of the domain's largest angle.
 };
 
 /// A pixel that may be a sample.
@@ -69,7 +70,7 @@ struct Candidate {
   double weight;
 };
 
-/// Those with a ray in the domain.
+/// Samples of the candidates that have a ray in the domain.
 std::vector<Correspondence> seen_of(const Rays& rays, const std::vector<Candidate>& candidates) {
   std::vector<Correspondence> samples;
   samples.reserve(candidates.size());
@@ -99,7 +100,7 @@ std::vector<Correspondence> seen_of(const Rays& rays, const std::vector<Candidat
   return samples;
 }
 
-/// Tensor of Gauss nodes over the pixels of the whole image; points outside the lens fall away.
+/// Samples a tensor grid of Gauss nodes over the whole image; points outside the domain are dropped.
 std::vector<Correspondence> sample_rectangle(const Rays& rays, int count) {
   const ImageSize& size = rays.size();
   const double aspect = std::clamp(static_cast<double>(size.width) / size.height, 0.1, 10.0);
@@ -114,7 +115,7 @@ std::vector<Correspondence> sample_rectangle(const Rays& rays, int count) {
   return seen_of(rays, candidates);
 }
 
-/// How far the image reaches from a centre in a direction.
+/// The distance, in units of `direction`, from `centre` to the image's border.
 double distance_to_border(const ImageSize& size, const Pixel& centre, const Pixel& direction) {
   const Pixel last = {size.width - 1.0, size.height - 1.0};
   double far = std::numeric_limits<double>::infinity();
@@ -130,14 +131,15 @@ Pixel along(const Pixel& centre, const Pixel& direction, double distance) {
   return {centre[0] + distance * direction[0], centre[1] + distance * direction[1]};
 }
 
-/// Does the lens fill the image on that azimuth?
+/// True if the domain reaches the image's border at that azimuth [rad].
 bool reaches_border(const Rays& rays, const Pixel& centre, double azimuth) {
   const Pixel direction = {std::cos(azimuth), std::sin(azimuth)};
   return rays.has(along(centre, direction, distance_to_border(rays.size(), centre, direction)));
 }
 
-/// How far the domain reaches on that azimuth: to the border, or to the lens's edge. Angles grow along the way, so a bracket
-/// finds the edge: by regula falsi (Illinois) where the source's rays go on beyond it, by halving where they end.
+/// The distance [px] from `centre` to the edge of the domain at that azimuth [rad]: to the image's border, or to the lens's
+/// edge if that comes first. The edge is found in a bracket, since angles grow along the way: by regula falsi (Illinois) if the
+/// source has rays beyond it, by halving if it has none.
 double reach(const Rays& rays, const Pixel& centre, double azimuth) {
   const Pixel direction = {std::cos(azimuth), std::sin(azimuth)};
   double far = distance_to_border(rays.size(), centre, direction);
@@ -170,7 +172,8 @@ double reach(const Rays& rays, const Pixel& centre, double azimuth) {
   return near;
 }
 
-/// Azimuths between which the domain's edge is smooth: the image's corners, and where the edge changes between border and lens.
+/// Azimuths [rad] between which the domain's edge is smooth: those of the image's corners, and those at which the edge changes
+/// between the image's border and the lens's edge.
 std::vector<double> smooth_pieces(const Rays& rays, const Pixel& centre) {
   const double width = rays.size().width - 1.0;
   const double height = rays.size().height - 1.0;
@@ -188,7 +191,7 @@ std::vector<double> smooth_pieces(const Rays& rays, const Pixel& centre) {
   std::vector<double> pieces = {corners.front()};
   for (std::size_t side = 0; side + 1 < corners.size(); ++side) {
     const double span = corners[side + 1] - corners[side];
-    // The corners themselves belong to two sides: look a hair inside.
+    // A corner belongs to two sides: look slightly inside this one.
     const auto azimuth_of = [&](int step) {
       return corners[side] + span * std::clamp(static_cast<double>(step) / kStepsPerSide, kHair, 1.0 - kHair);
     };
@@ -206,14 +209,14 @@ std::vector<double> smooth_pieces(const Rays& rays, const Pixel& centre) {
       }
       pieces.push_back(0.5 * (before + after));
     }
-    // Where the lens ends before the corner, its edge is as smooth there as beside it.
+    // If the lens ends before the corner, its edge is smooth at that azimuth: no cut is needed.
     const bool last = side + 2 == corners.size();
     if (last || kind_after || at_border(corners[side + 1] + kHair)) pieces.push_back(corners[side + 1]);
   }
   return pieces;
 }
 
-/// Polar around the principal point, a piece at a time.
+/// Samples in polar coordinates around the principal point, piece by piece.
 class PolarSampler {
  public:
   PolarSampler(const Rays& rays, const Pixel& centre, int count)
@@ -244,8 +247,9 @@ class PolarSampler {
 
   static Pixel direction(double azimuth) { return {std::cos(azimuth), std::sin(azimuth)}; }
 
-  /// Up to the lens's edge: there errors change slowly with the azimuth. Along the radius they may change without limit: where
-  /// the source itself ends, its radius stops growing with the angle, and r = edge sin(pi t / 2) does the same.
+  /// Samples a sector that ends at the lens's edge. There errors change slowly with the azimuth. Along the radius they may
+  /// change without limit: where the source's own domain ends, its image radius stops growing with the angle. The substitution
+  /// r = edge sin(pi t / 2) matches that.
   void add_sector(double begin, double end) {
     const double span = end - begin;
     const int azimuths = std::max(kFewestAzimuths, static_cast<int>(std::lround(azimuths_per_radian_ * span)));
@@ -261,8 +265,8 @@ class PolarSampler {
     }
   }
 
-  /// Up to a side of the image: the nodes lie evenly along that, so that a polynomial of the pixel stays one. Errors grow as
-  /// fast towards its corners as along the radius.
+  /// Samples a triangle that ends at a side of the image. The nodes lie evenly along the side, so that a polynomial of the
+  /// pixel remains one along it. Errors grow as fast towards its corners as along the radius.
   void add_triangle(double begin, double end) {
     const auto border = [&](double azimuth) {
       return along(centre_, direction(azimuth), distance_to_border(rays_.size(), centre_, direction(azimuth)));
@@ -282,7 +286,7 @@ class PolarSampler {
         const double weight = node.weight * twice_area * radius.weight * radius.position;
         candidates_.push_back({along(centre_, to_border, radius.position), weight});
       }
-      // Pixels on the border reach half a pixel beyond it.
+      // Pixels on the border extend half a pixel beyond it.
       candidates_.push_back({border_point, 0.5 * node.weight * length});
     }
   }
@@ -314,7 +318,7 @@ std::vector<Correspondence> sample(const Lens& source, const Domain& domain, int
   if (centred && !whole_image(rays)) {
     samples = PolarSampler(rays, centre, count).run();
   } else {
-    // An image whose centre lies outside it is rare; a finer tensor grid makes up for the points that fall away.
+    // A principal point outside the image is rare. A finer tensor grid compensates for the points that are dropped.
     samples = sample_rectangle(rays, centred ? count : 4 * count);
   }
   double total = 0.0;

@@ -12,16 +12,17 @@ namespace fca::internal {
 
 namespace {
 
-/// Of the brightest; an error of 30 px there costs as much as one of 0.001 px where it is white.
+/// The weight of black, as a fraction of the brightest weight: an error of 30 px at black costs as much as one of 0.001 px at
+/// white.
 constexpr double kBlack = 1e-9;
 
 double brightest(const GreyImage& image) { return *std::ranges::max_element(image.samples); }
 
-/// Bilinear between the pixels' centres. Exact where neighbours are the same.
+/// The grey value at a pixel, interpolated bilinearly between pixel centres. Exact if the neighbours are equal.
 double grey_at(const GreyImage& image, const Pixel& pixel) {
   struct Place {
     std::size_t first;
-    double beyond;  ///< The first, in pixels.
+    double beyond;  ///< Fraction of a pixel beyond `first`.
   };
   const auto place = [](double position, int size) -> Place {
     const double inside = std::clamp(position, 0.0, size - 1.0);
@@ -42,7 +43,7 @@ double grey_at(const GreyImage& image, const Pixel& pixel) {
   return upper + v.beyond * (along_row(at + below) - upper);
 }
 
-/// The difference of the rays beside a pixel along u or v, per pixel; nothing where the lens has none.
+/// The derivative of a pixel's ray by u (axis 0) or v (axis 1), per pixel; nullopt if neither neighbour has a ray.
 std::optional<Ray> ray_per_pixel(const Lens& source, const Pixel& pixel, const Ray& ray, std::size_t axis) {
   constexpr double kStep = 0.02;  // px
   const auto beside = [&](double step) {
@@ -59,7 +60,8 @@ std::optional<Ray> ray_per_pixel(const Lens& source, const Pixel& pixel, const R
   return Ray{(to[0] - from[0]) / distance, (to[1] - from[1]) / distance, (to[2] - from[2]) / distance};
 }
 
-/// What a pixel sees [sr]: the area, on the unit sphere, of the parallelogram that its ray's derivatives span.
+/// The solid angle of a pixel [sr]: the area, on the unit sphere, of the parallelogram spanned by its ray's derivatives. 0 if
+/// there are none.
 double solid_angle(const Lens& source, const Correspondence& sample) {
   const std::optional<Ray> a = ray_per_pixel(source, sample.pixel, sample.ray, 0);
   const std::optional<Ray> b = ray_per_pixel(source, sample.pixel, sample.ray, 1);
@@ -68,7 +70,8 @@ double solid_angle(const Lens& source, const Correspondence& sample) {
                     (*a)[0] * (*b)[1] - (*a)[1] * (*b)[0]);
 }
 
-/// Multiplies the weights by the density, and scales them to the sum 1. Returns how many count more than black.
+/// Multiplies the samples' weights by the density and scales them to the sum 1. Returns the number of samples that weigh more
+/// than black.
 std::size_t weigh(const FitWeight& weight, const Lens& source, std::vector<Correspondence>& samples) {
   const double floor = weight.kind == WeightKind::kImage ? kBlack * brightest(*weight.density) : 0.0;
   std::size_t counted = 0;
@@ -84,8 +87,8 @@ std::size_t weigh(const FitWeight& weight, const Lens& source, std::vector<Corre
   return counted;
 }
 
-/// About so many places, evenly over the image's pixels, at most one for each: an image may have edges anywhere, and the few
-/// radii of sample() would lie on one side of a circle. Those of the domain.
+/// Samples of about `count` pixels on an even grid, at most one per pixel, that lie in the domain. An image of weights may have
+/// edges anywhere, and the few radii of sample() could all lie on one side of a circular edge.
 std::vector<Correspondence> grid_of(const Lens& source, const Domain& domain, int count) {
   const auto [width, height] = domain.size;
   const double side = std::max(1.0, std::sqrt(static_cast<double>(width) * height / count));

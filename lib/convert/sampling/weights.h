@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples that do not count alike.
+// Samples with unequal weights.
 #pragma once
 
 #include <fca/convert/domain.h>
@@ -12,22 +12,22 @@
 
 namespace fca::internal {
 
-/// Does every pixel count the same? Then a fit is the one of FitWeight(), to the last bit.
+/// True if all pixels have the same weight. A fit is then identical to that with FitWeight(), to the last bit.
 [[nodiscard]] bool counts_alike(const FitWeight& weight);
 
-/// Is the image, which is of the domain's size, not black at some pixel of the domain?
+/// True if `density`, an image of the domain's size, is not black at every pixel of the domain.
 [[nodiscard]] bool counts_any(const GreyImage& density, const Lens& source, const Domain& domain);
 
-/// Of about so many places (sample(); of an image a grid, and more, for it may have edges); the weights sum to 1. `counted`:
-/// how many of them count more than black does.
+/// About as many samples as requested, whose weights sum to 1: those of sample() or, for an image of weights, a grid with more
+/// samples, since the image may have edges. `counted`: the number of samples that weigh more than black.
 struct WeightedSamples {
   std::vector<Correspondence> samples;
   std::size_t counted = 0;
 };
 [[nodiscard]] WeightedSamples weighted_samples(const FitWeight& weight, const Lens& source, const Domain& domain, int count);
 
-/// The weighted root mean square [px] of the errors of `target` over what of the domain it has a pixel for, up to `reach_rad`
-/// from the source's axis. Rays are turned by `T_target_source` if there is one. 0 where there is nothing.
+/// The weighted rms [px] of the errors of `target` over those rays of the domain, up to `reach_rad` from the source's axis, for
+/// which it has a pixel. `T_target_source` rotates the rays first unless it is null. 0 if there are no such rays.
 [[nodiscard]] double weighted_rms(const FitWeight& weight, const Lens& source, const CameraModel& target, const Domain& domain,
                                   double reach_rad, const Transform* T_target_source = nullptr);
 

@@ -43,7 +43,7 @@ MatrixXd columns_of(const MatrixXd& all, std::span<const std::size_t> which) {
   return some;
 }
 
-/// The covariance of all parameters, 0 of those that are not free.
+/// The covariance of all parameters, with zeros for those that are not free.
 Uncertainty with_held(const MatrixXd& of_free, std::span<const std::size_t> free, const CameraModel& model) {
   const auto count = static_cast<Index>(parameter_values(model).size());
   MatrixXd all = MatrixXd::Zero(count, count);
@@ -57,12 +57,12 @@ Uncertainty with_held(const MatrixXd& of_free, std::span<const std::size_t> free
   return result;
 }
 
-/// A place of the image that was scored.
+/// A scored point of the image.
 struct Place {
   Pixel pixel{};
   Ray ray{};
   double weight = 0.0;
-  double error_px = 0.0;  ///< Of the conversion.
+  double error_px = 0.0;  ///< Error of the conversion.
 };
 
 struct MeanSquare {
@@ -75,7 +75,7 @@ struct MeanSquare {
   [[nodiscard]] double root() const { return weights > 0.0 ? std::sqrt(squares / weights) : 0.0; }
 };
 
-/// The uncertainty at each place, into a summary.
+/// Summarises the uncertainty over the places; nullopt if there are none, or the uncertainty is not that of `model`.
 std::optional<PixelUncertainty> summary_of(const CameraModel& model, const Uncertainty& uncertainty,
                                            std::span<const Place> places, std::span<const ErrorBand> bands) {
   if (places.empty() || !is_of(uncertainty, model)) return std::nullopt;
@@ -107,7 +107,7 @@ std::optional<PixelUncertainty> summary_of(const CameraModel& model, const Uncer
   return result;
 }
 
-/// The scored places of a conversion's lattice, border included.
+/// The scored points of a conversion's lattice, including the image's border.
 std::vector<Place> lattice_of(const Camera& source, const CameraModel& target, const ConversionReport& report,
                               const Domain& domain) {
   const double reach = report.fitted_to_cone ? report.scored_to_deg * std::numbers::pi / 180.0 : std::numbers::pi;
@@ -128,7 +128,7 @@ std::vector<Place> places_of(std::span<const Correspondence> table) {
   return places;
 }
 
-/// The entries that the model was fitted to.
+/// The entries of the source's table to which the model was fitted.
 std::vector<Correspondence> fitted_entries(const Camera& source, const CameraModel& target, const ConversionReport& report) {
   constexpr double kRounding = 1e-9;  // rad
   const double reach = report.scored_to_deg * std::numbers::pi / 180.0 + kRounding;
