@@ -206,8 +206,8 @@ std::vector<NamedFile> named_parts(const Format& format, const text::Document& d
 std::optional<text::Source> read_part(const NamedFile& part) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(part.path, ignored)) return std::nullopt;
-  Diagnostics unheard;
-  return text::read_source(part.path, unheard);
+  Diagnostics discarded;
+  return text::read_source(part.path, discarded);
 }
 
 namespace {

@@ -208,7 +208,7 @@ constexpr std::array kKeys = {
 /// rosparam reads it with PyYAML.
 constexpr schema::Schema kTable = {.what = "a camera of FAST-LIVO",
                                    .dialect = text::Dialect::kPyYaml,
-                                   .root = {.keys = kKeys, .unread = "", .warns_of_duplicates = true, .in_turn = true},
+                                   .root = {.keys = kKeys, .unread = "", .warns_of_duplicates = true, .stops_at_error = true},
                                    .codes = {.wrong_syntax = Code::kTableWrongSyntax},
                                    .program = kProgram,
                                    .one_camera = true};

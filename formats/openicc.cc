@@ -272,7 +272,7 @@ constexpr std::array kPoseKeys = {required(kRotation), schema::unread("t_i_c"), 
 constexpr schema::Schema schema_of(std::string_view what, std::span<const Key> keys, bool one_camera) {
   return {.what = what,
           .dialect = text::Dialect::kPyYaml,
-          .root = {.keys = keys, .unread = "", .warns_of_duplicates = true, .in_turn = true},
+          .root = {.keys = keys, .unread = "", .warns_of_duplicates = true, .stops_at_error = true},
           .codes = {.wrong_syntax = Code::kTableWrongSyntax, .no_object = Code::kTableNoObject},
           .program = "OpenImuCameraCalibrator",
           .one_camera = one_camera};

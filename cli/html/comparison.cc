@@ -93,8 +93,8 @@ void put_parameters(Html& html, const CameraComparison& camera) {
 std::optional<Camera> in_pixels_of(const CameraComparison& compared, Camera other) {
   if (!compared.other_size) return other;
   other.image_size = compared.other_size;
-  Diagnostics told_already;
-  return with_changed_images(other, {.resize = compared.size}, told_already);
+  Diagnostics discarded;
+  return with_changed_images(other, {.resize = compared.size}, discarded);
 }
 
 void put_camera(Html& html, const CameraComparison& compared, const Rig& reference, const Rig& other,

@@ -119,8 +119,8 @@ std::optional<SpanEdit> mend_of(const Diagnostic& entry, const text::Source& sou
     if (!mend) return std::nullopt;
     text::Source blanks = source;
     blanks.bytes.replace(mend->span.offset, mend->span.length, mend->text);
-    Diagnostics unheard;
-    if (text::parse_document(std::move(blanks), unheard)) return SpanEdit{mend->span, mend->text};
+    Diagnostics discarded;
+    if (text::parse_document(std::move(blanks), discarded)) return SpanEdit{mend->span, mend->text};
   }
   return std::nullopt;
 }

@@ -100,7 +100,7 @@ std::vector<Message> steps_to_top(const text::Source& source, const Top& top) {
   return steps;
 }
 
-Message in_turn(const std::vector<Message>& steps) {
+Message stops_at_error(const std::vector<Message>& steps) {
   std::vector<Message> clauses;
   clauses.reserve(steps.size());
   for (const Message& step : steps) clauses.push_back(clauses.empty() ? step : Message{Code::kLayoutThen, {step}});
@@ -165,7 +165,7 @@ std::optional<Mend> layout_mend(const text::Document& document) {
     }
   }
   if (!shallow.empty()) steps.push_back({Code::kLayoutIndented});
-  return Mend{in_turn(steps), {begin, at - begin}, text};
+  return Mend{stops_at_error(steps), {begin, at - begin}, text};
 }
 
 }  // namespace fca::checks

@@ -165,7 +165,7 @@ constexpr schema::PoseLayout kPose = {.frame = kReference, .kind = FrameKind::kO
 
 constexpr schema::Schema kSchema = {.what = "a camera model",
                                     .dialect = kDialect,
-                                    .root = {.keys = kKeys, .unread = "", .warns_of_duplicates = true, .in_turn = true},
+                                    .root = {.keys = kKeys, .unread = "", .warns_of_duplicates = true, .stops_at_error = true},
                                     .codes = {.wrong_syntax = Code::kTableWrongSyntax, .no_size = Code::kTableNoSize},
                                     .program = "mrcal"};
 

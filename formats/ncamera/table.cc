@@ -174,7 +174,7 @@ constexpr std::array kCameraKeys = {
     required(schema::object("intrinsics", kIntrinsics)),
     schema::object("distortion", kDistortion),
 };
-constexpr schema::Mapping kCamera = {.keys = kCameraKeys, .unread = "", .warns_of_duplicates = true, .in_turn = true};
+constexpr schema::Mapping kCamera = {.keys = kCameraKeys, .unread = "", .warns_of_duplicates = true, .stops_at_error = true};
 
 template <std::size_t kFirst, std::size_t kSecond>
 constexpr std::array<Key, kFirst + kSecond> joined(const std::array<Key, kFirst>& first,
@@ -186,7 +186,7 @@ constexpr std::array<Key, kFirst + kSecond> joined(const std::array<Key, kFirst>
 
 constexpr std::array kCameraEntry = {required(schema::object("camera", kCamera))};
 constexpr auto kItemKeys = joined(kCameraEntry, kPoseKeys);
-constexpr schema::Mapping kItem = {.keys = kItemKeys, .unread = "", .warns_of_duplicates = true, .in_turn = true};
+constexpr schema::Mapping kItem = {.keys = kItemKeys, .unread = "", .warns_of_duplicates = true, .stops_at_error = true};
 
 /// The camera's own keys name it, before its pose and what nobody reads are said of it.
 bool read_item(schema::Reading& reading, const Key& key, const Node& node) {
@@ -259,7 +259,7 @@ bool has_imu(const Rig& rig) {
 
 constinit const schema::Schema kRig = schema_of({.keys = kRigKeys, .unread = "", .warns_of_duplicates = true}, kProgram);
 constinit const schema::Schema kSingle =
-    schema_of({.keys = kSingleKeys, .unread = "", .warns_of_duplicates = true, .in_turn = true}, kProgram);
+    schema_of({.keys = kSingleKeys, .unread = "", .warns_of_duplicates = true, .stops_at_error = true}, kProgram);
 constinit const schema::Schema kSensors = schema_of({.keys = kSensorsKeys}, "maplab");
 constinit const schema::Mapping kSensorOfCameras = {.keys = kSensorKeys, .unread = "", .warns_of_duplicates = true};
 constinit const schema::Mapping kSensorOfImu = {.keys = kSensorImuKeys, .unread = "", .warns_of_duplicates = true};

@@ -216,7 +216,7 @@ constexpr std::array<std::string_view, 10> kOrder = {"T_SC",
 }  // namespace
 
 constinit const schema::Mapping kCamera = {
-    .keys = kKeys, .written = kOrder, .unread = "", .warns_of_duplicates = true, .in_turn = true};
+    .keys = kKeys, .written = kOrder, .unread = "", .warns_of_duplicates = true, .stops_at_error = true};
 
 bool read_camera(schema::Reading& reading, const Key& key, const Node& node) {
   if (!schema::read_object(reading, key, node)) return false;

@@ -48,8 +48,8 @@ Transform rotation_of(const std::vector<double>& R) {
 }  // namespace
 
 std::optional<RectifiedPair> read_rectification(const text::Document& document) {
-  Diagnostics unheard;  // who has no use for them is not to be told of them
-  fields::Reader reader(document, kDialect, unheard);
+  Diagnostics discarded;  // who has no use for them is not to be told of them
+  fields::Reader reader(document, kDialect, discarded);
   const auto R1 = matrix_at("R1", 3, 3, reader);
   const auto R2 = matrix_at("R2", 3, 3, reader);
   const auto P1 = matrix_at("P1", 3, 4, reader);

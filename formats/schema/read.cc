@@ -147,7 +147,7 @@ bool read_mapping(Reading& reading, const Mapping& mapping, const Node& node) {
     const Node* value = find_value(reading, key, node);
     const bool read = value != nullptr ? key.read == nullptr || key.read(reading, key, *value) : key.need != Need::kRequired;
     good = good && read;
-    if (!read && mapping.in_turn) return false;
+    if (!read && mapping.stops_at_error) return false;
   }
   return good;
 }

@@ -109,8 +109,8 @@ struct Mapping {
   std::optional<std::string_view> unread = {};
   /// Duplicate keys get a warning, and only the entry that the dialect takes is kept as an extra field.
   bool warns_of_duplicates = false;
-  bool in_turn = false;  ///< Reading ends at the first key that cannot be read.
-  Code missing = {};     ///< A warning about all missing keys {0} that only the program {1} requires; none: no warning.
+  bool stops_at_error = false;  ///< Reading ends at the first key that cannot be read.
+  Code missing = {};            ///< A warning about all missing keys {0} that only the program {1} requires; none: no warning.
 };
 
 /// What follows if the key is missing: nothing, a warning or an error.

@@ -82,9 +82,10 @@ constexpr auto kAllKeys = sensors::joined(kCameraKeys, kImuKeys);
 constexpr schema::Schema schema_of(const schema::Mapping& root) {
   return {.what = "a sensor.yaml", .dialect = text::Dialect::kPyYaml, .root = root, .codes = sensors::kCodes};
 }
-constexpr schema::Schema kCameraTable =
-    schema_of({.keys = kCameraKeys, .written = kCameraOrder, .unread = "", .warns_of_duplicates = true, .in_turn = true});
-constexpr schema::Schema kImuTable = schema_of({.keys = kImuKeys, .unread = "", .warns_of_duplicates = true, .in_turn = true});
+constexpr schema::Schema kCameraTable = schema_of(
+    {.keys = kCameraKeys, .written = kCameraOrder, .unread = "", .warns_of_duplicates = true, .stops_at_error = true});
+constexpr schema::Schema kImuTable =
+    schema_of({.keys = kImuKeys, .unread = "", .warns_of_duplicates = true, .stops_at_error = true});
 constexpr schema::Schema kTable = schema_of({.keys = kAllKeys});
 
 const Node* numbers_at(const Node& root, std::string_view key) {

@@ -148,10 +148,10 @@ constexpr schema::Schema kCameraTable = schema_of({.keys = kCameraKeys,
                                                    .written = kCameraOrder,
                                                    .unread = "",
                                                    .warns_of_duplicates = true,
-                                                   .in_turn = true,
+                                                   .stops_at_error = true,
                                                    .missing = Code::kTableMissingKeys});
 constexpr schema::Schema kImuTable = schema_of(
-    {.keys = kImuKeys, .unread = "", .warns_of_duplicates = true, .in_turn = true, .missing = Code::kTableMissingKeys});
+    {.keys = kImuKeys, .unread = "", .warns_of_duplicates = true, .stops_at_error = true, .missing = Code::kTableMissingKeys});
 constexpr schema::Schema kTable = schema_of({.keys = kAllKeys});
 
 std::string first_camera(const text::Document& /*document*/) { return "cam0"; }

@@ -204,7 +204,7 @@ constexpr std::array<std::string_view, 3> kRootOrder = {"extrinsic", "intrinsic"
 
 constexpr schema::Schema kSchema = {.what = "a WoodScape calibration",
                                     .dialect = kDialect,
-                                    .root = {.keys = kRootKeys, .written = kRootOrder, .unread = "", .in_turn = true},
+                                    .root = {.keys = kRootKeys, .written = kRootOrder, .unread = "", .stops_at_error = true},
                                     .codes = {.wrong_syntax = Code::kWoodscapeJsonOneObject,
                                               .missing = Code::kWoodscapeJsonMissing,
                                               .missing_below = Code::kWoodscapeJsonMissingKey,

@@ -28,7 +28,7 @@ bool is_better(const FitTask& task, const DomainFit& straight, const TurnedFit& 
                double rms_turned_px) {
   constexpr double kWorthATurn = 0.99;
   const FitWeight& weight = task.options.weight;
-  if (counts_alike(weight)) return rms_turned_px < kWorthATurn * rms_straight_px;
+  if (has_equal_weights(weight)) return rms_turned_px < kWorthATurn * rms_straight_px;
   return weighted_rms(weight, task.camera.model, turned.fitted.model, task.domain, straight.fitted.reach_rad,
                       &turned.T_target_source) < kWorthATurn * straight.rms_px;
 }

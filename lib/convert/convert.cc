@@ -127,7 +127,8 @@ std::optional<Conversion> exact_conversion(const FitTask& task) {
 
 /// Replaces a least-squares fit by the camera near it with the smallest maximum error, if its maximum is smaller and it covers
 /// as much of the image.
-void cut_worst_pixel(const FitTask& task, double reach_rad, std::span<const ParameterRange> ranges, Conversion& conversion) {
+void minimise_largest_error(const FitTask& task, double reach_rad, std::span<const ParameterRange> ranges,
+                            Conversion& conversion) {
   using Clock = std::chrono::steady_clock;
   ConversionReport& report = conversion.report;
   CameraModel& model = conversion.camera.model;
@@ -200,10 +201,10 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
   }
   if (task.options.absorb_turn) {
     internal::absorb_turn(task, chosen, conversion, diagnostics);
-  } else if (internal::counts_alike(task.options.weight)) {
+  } else if (internal::has_equal_weights(task.options.weight)) {
     conversion.report.turn_offer = internal::offered_turn(task, chosen, conversion.report.judgement.error.rms);
   }
-  if (task.options.objective == Objective::kMax) cut_worst_pixel(task, fitted.reach_rad, chosen.ranges, conversion);
+  if (task.options.objective == Objective::kMax) minimise_largest_error(task, fitted.reach_rad, chosen.ranges, conversion);
   conversion.report.scored_to_deg = scored_to_deg(task, conversion.camera.model, fitted.reach_rad);
   return conversion;
 }
@@ -228,7 +229,7 @@ std::optional<WeightedRms> weighted_error(const Camera& camera, const FitWeight&
                                           const Domain& domain) {
   if (weight.kind == WeightKind::kPixel) return std::nullopt;
   const ConversionReport& report = conversion.report;
-  if (internal::counts_alike(weight)) return WeightedRms{weight.kind, report.judgement.error.rms};
+  if (internal::has_equal_weights(weight)) return WeightedRms{weight.kind, report.judgement.error.rms};
   // Only scored rays count; the slack keeps the last ray of the domain.
   constexpr double kSlack = 1.0 + 1e-9;
   const double reach_rad = kSlack * report.scored_to_deg * kRadiansPerDegree;
@@ -303,7 +304,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   const double stretch = stretch_on_axis(camera.model);
   ConvertOptions reasonable = within_reason(*fixed, stretch, *target);
   if (!is_usable(options.weight, camera, *domain, diagnostics)) return std::nullopt;
-  if (internal::counts_alike(options.weight)) reasonable.weight = {};
+  if (internal::has_equal_weights(options.weight)) reasonable.weight = {};
   const FitTask task{camera, *target, reasonable, *domain, centre};
 
   std::optional<Conversion> conversion = exact_conversion(task);

@@ -111,10 +111,10 @@ std::optional<PairError> pair_error(const MeantCamera& first, const MeantCamera&
     result.model = camera.meant;
     return result;
   };
-  Diagnostics unheard;  // who asks has not asked for a rectification
+  Diagnostics discarded;  // who asks has not asked for a rectification
   RectifyOptions options;
   options.valid_regions = false;
-  const std::optional<RectifiedPair> pair = rectify(meant(first), meant(second), T_meant, options, unheard);
+  const std::optional<RectifiedPair> pair = rectify(meant(first), meant(second), T_meant, options, discarded);
   if (!pair) return std::nullopt;
   constexpr int kSteps = 32;
   const std::optional<VerticalDisparity> disparity = measured(kSteps, first, second, T_second_first, *pair, *pair->size);

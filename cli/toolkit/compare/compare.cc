@@ -105,7 +105,7 @@ void judge_pixels(const CompareRequest& request, const ReferenceFile& reference,
 }
 
 /// Adds errors for facts other than lenses that differ: poses, time offsets, IMU.
-void judge_rest(ComparedFile& compared) {
+void check_other_facts(ComparedFile& compared) {
   const RigComparison& comparison = *compared.comparison;
   for (const PoseComparison& pose : comparison.poses) {
     if (!pose.alike()) exceed(compared, Code::kPoseBeyondLimit, {facts_of(pose)});
@@ -140,7 +140,7 @@ void apply_limits(const CompareRequest& request, const ReferenceFile& reference,
   if (!request.max_error_px && !request.strict) return;
   for (const Mistake& mistake : compared.comparison->mistakes) exceed(compared, Code::kMistakeFound, {mistake.message});
   judge_pixels(request, reference, compared);
-  if (request.strict) judge_rest(compared);
+  if (request.strict) check_other_facts(compared);
 }
 
 }  // namespace

@@ -51,8 +51,8 @@ std::vector<std::string> frames_of(const Rig& rig) {
 
 }  // namespace
 
-bool has_use_for(const Calibration& into, const Rig& rig, const std::string& input, ConvertResult& result) {
-  if (!into.rig.cameras.empty() || says_a_pose_of(into.rig, rig)) return true;
+bool base_poses_are_known(const Calibration& into, const Rig& rig, const std::string& input, ConvertResult& result) {
+  if (!into.rig.cameras.empty() || has_common_pose(into.rig, rig)) return true;
   std::vector<Message> one;
   if (rig.cameras.size() < 2) one.push_back({Code::kHasOneCamera});
   result.diagnostics.add(Code::kIntoWithoutPose, {input, one, into.documents.front().source().name, frames_of(into.rig)},

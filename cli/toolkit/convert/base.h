@@ -21,7 +21,8 @@ struct Base {
 [[nodiscard]] std::optional<Calibration> read_into(const ConvertRequest& request, Files& files, ConvertResult& result);
 
 /// False, with an error, if the base contains only poses and the input has none of them.
-[[nodiscard]] bool has_use_for(const Calibration& into, const Rig& rig, const std::string& input, ConvertResult& result);
+[[nodiscard]] bool base_poses_are_known(const Calibration& into, const Rig& rig, const std::string& input,
+                                        ConvertResult& result);
 
 /// True if the text of the file of --into must be kept, not replaced by a fresh file.
 [[nodiscard]] bool keeps_text(const ConvertRequest& request, const Base& base);

@@ -106,9 +106,9 @@ void offer_fresh_file(const ConvertRequest& request, const Start& start, const C
   const auto needs_program = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsProgram; };
   const bool is_edited = start.base.document != nullptr && !request.rewrite && !request.layout && request.verify;
   const bool is_in_place = is_edited && request.into.empty();
-  const bool is_of_another = is_in_place && std::ranges::any_of(verdict.reasons, needs_program);
+  const bool is_file_of_other_program = is_in_place && std::ranges::any_of(verdict.reasons, needs_program);
   const bool is_unusable = is_edited && verdict.word == VerdictWord::kDoNotUse;
-  if (refused == entries.end() && !is_unusable && !is_of_another) return;
+  if (refused == entries.end() && !is_unusable && !is_file_of_other_program) return;
   const std::optional<ConvertResult> fresh = rewritten(request, start, before);
   if (!fresh && !lacks_size(start) && !lacks_rate(start)) return;
   const Message demands{lacks_size(start) ? Code::kRewriteDemandsSize : Code::kRewriteDemandsRate};
@@ -236,7 +236,7 @@ bool run(const ConvertRequest& asked, Files& files, ConvertResult& result) {
   if (request.verify) {
     if (is_written) try_other_layouts(request, start, before, result);
     try_other_models(request, start, before, result);
-    try_nearer_fit(request, start, before, result);
+    try_fit_in_circle(request, start, before, result);
   }
   name_better_models(request, start, result);
   // With a base the cameras may have other names.

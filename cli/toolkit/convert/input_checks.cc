@@ -48,7 +48,7 @@ bool imu_is_another(const Rig& rig, const std::string& input, Diagnostics& diagn
 
 }  // namespace
 
-bool serves(const ConvertRequest& request, const Calibration& input, ConvertResult& result) {
+bool input_is_convertible(const ConvertRequest& request, const Calibration& input, ConvertResult& result) {
   const bool imu_file = result.to->imu_file && request.into.empty() && !input.rig.imus.empty();
   if (input.rig.cameras.empty() && !imu_file) {
     explain_no_camera(request, input, result.diagnostics);

@@ -11,6 +11,6 @@ namespace fca {
 
 /// False, with an error, if the input has no camera, has several although the request gives a baseline for one, or has an IMU
 /// that no pose connects while another one has poses.
-[[nodiscard]] bool serves(const ConvertRequest& request, const Calibration& input, ConvertResult& result);
+[[nodiscard]] bool input_is_convertible(const ConvertRequest& request, const Calibration& input, ConvertResult& result);
 
 }  // namespace fca

@@ -137,7 +137,7 @@ Rig with_names_of(const Rig& rig, Rig base) {
 
 }  // namespace
 
-bool says_a_pose_of(const Rig& base_as_named, const Rig& rig) {
+bool has_common_pose(const Rig& base_as_named, const Rig& rig) {
   const Rig base = with_names_of(rig, base_as_named);
   return std::ranges::any_of(base.poses, [&rig](const PoseEdge& edge) { return rig.resolve(edge.a, edge.b).has_value(); });
 }
@@ -163,7 +163,7 @@ Rig put_into(const Rig& base_as_named, Rig rig, bool in_order, Kept& kept, Diagn
   return rig;
 }
 
-void tell_of_kept(const Kept& kept, const Written& written, Diagnostics& diagnostics) {
+void report_kept(const Kept& kept, const Written& written, Diagnostics& diagnostics) {
   const Written::File& file = written.files.front();
   for (const std::string& camera : kept.cameras) {
     if (std::ranges::find(file.cameras, camera) != file.cameras.end()) diagnostics.add(Code::kCameraKept, {camera});

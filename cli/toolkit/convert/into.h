@@ -26,9 +26,9 @@ struct Kept {
 [[nodiscard]] Rig put_into(const Rig& base, Rig rig, bool in_order, Kept& kept, Diagnostics& diagnostics);
 
 /// Adds notes about what was kept of the base, as far as the written files contain it (a mode may have no place for it).
-void tell_of_kept(const Kept& kept, const Written& written, Diagnostics& diagnostics);
+void report_kept(const Kept& kept, const Written& written, Diagnostics& diagnostics);
 
 /// True if the rig has one of the poses in `base`. A base that numbers its cameras is matched to the rig's cameras in order.
-[[nodiscard]] bool says_a_pose_of(const Rig& base, const Rig& rig);
+[[nodiscard]] bool has_common_pose(const Rig& base, const Rig& rig);
 
 }  // namespace fca

@@ -170,7 +170,7 @@ class Choice {
 };
 
 /// True if the input is another program's file, so that the layout of this one could not be kept and a fresh file was composed.
-bool is_of_another(const ConvertRequest& request, const Start& start, const ConvertResult& result) {
+bool is_file_of_other_program(const ConvertRequest& request, const Start& start, const ConvertResult& result) {
   if (!request.into.empty()) return false;
   const consumers::LoadOptions options = load_options(ReadOptions(), result.mode);
   const std::string& bytes = start.base.document->source().bytes;
@@ -193,7 +193,7 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
   const ProofResult* proof = first_proof(result);
   if (proof == nullptr || !proof->loads) return;
   const bool is_edited = start.base.document != nullptr && !request.rewrite;
-  if (is_edited && !is_of_another(request, start, result)) return;
+  if (is_edited && !is_file_of_other_program(request, start, result)) return;
   const auto is_off = [](const CameraProof& camera) { return camera.misread && camera.distance.decisive().max > kRounding; };
   if (std::ranges::none_of(proof->cameras, is_off)) return;
   const bool is_wide = std::ranges::any_of(proof->cameras, [](const CameraProof& camera) { return camera.distance.is_wide; });
@@ -250,7 +250,7 @@ void try_other_models(const ConvertRequest& request, const Start& start, const C
   if (best) result = *std::move(best);
 }
 
-void try_nearer_fit(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result) {
+void try_fit_in_circle(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result) {
   const ProofResult* proof = first_proof(result);
   if (proof == nullptr || !proof->loads || result.lens_given || is_good(result)) return;
   const std::vector<CameraProof> cameras = seen_cameras(result);

@@ -25,6 +25,6 @@ void try_other_models(const ConvertRequest& request, const Start& start, const C
 
 /// If cameras with wide lenses are fitted and the program's pixels are wrong, also fits them to the inscribed circles of their
 /// images and puts the resulting error into ConvertResult::nearer. The result remains the fit to the whole lens.
-void try_nearer_fit(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result);
+void try_fit_in_circle(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result);
 
 }  // namespace fca

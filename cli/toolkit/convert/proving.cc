@@ -117,7 +117,7 @@ Message newly_refused(const Written& written, const Rig& rig, const text::Docume
   return {};
 }
 
-bool mend_kept_text(const Format& format, const Rig& rig, Written& written, LoadedViews& views, Diagnostics& diagnostics) {
+bool fix_kept_text(const Format& format, const Rig& rig, Written& written, LoadedViews& views, Diagnostics& diagnostics) {
   constexpr int kMostMends = 100;  // each takes several runs of the program's reader
   const consumers::LoadOptions options = load_options(written, rig);
   bool all_load = true;

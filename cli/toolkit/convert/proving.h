@@ -24,8 +24,8 @@ namespace fca {
 /// Fixes spellings in the kept text of a base that the target's program would refuse (IMU.Frequency: 200, a byte order mark),
 /// with a note about each. A file that the program would refuse anyway is not changed. True if nothing had to be fixed: the
 /// programs load every file as it was.
-[[nodiscard]] bool mend_kept_text(const Format& format, const Rig& rig, Written& written, LoadedViews& views,
-                                  Diagnostics& diagnostics);
+[[nodiscard]] bool fix_kept_text(const Format& format, const Rig& rig, Written& written, LoadedViews& views,
+                                 Diagnostics& diagnostics);
 
 /// Adds a warning if the input's own program would not load it. The conversion continues, but the input may not be the file
 /// which that program used.

@@ -33,7 +33,7 @@ class SetFile {
     return document != nullptr && has_value(*document, key);
   }
 
-  [[nodiscard]] bool may_come(const std::string& key) const {
+  [[nodiscard]] bool may_add_key(const std::string& key) const {
     const text::Document* document = now();
     return document != nullptr && may_add_value(format_, *document, key);
   }
@@ -68,11 +68,11 @@ class SetFile {
 
 bool apply(const KeyValue& setting, std::optional<double> fps, std::vector<SetFile>& files, Diagnostics& diagnostics) {
   const auto has_key = [&setting](const SetFile& file) { return file.has_key(setting.key); };
-  const auto may_come = [&setting](const SetFile& file) { return file.may_come(setting.key); };
+  const auto may_add_key = [&setting](const SetFile& file) { return file.may_add_key(setting.key); };
   const bool nowhere = std::ranges::none_of(files, has_key);
-  const bool comes = nowhere && std::ranges::any_of(files, may_come);
+  const bool comes = nowhere && std::ranges::any_of(files, may_add_key);
   return std::ranges::all_of(files, [&](SetFile& file) {
-    const bool is_meant = comes ? may_come(file) : nowhere || has_key(file);
+    const bool is_meant = comes ? may_add_key(file) : nowhere || has_key(file);
     return !is_meant || file.set(setting, fps, diagnostics);
   });
 }

@@ -82,13 +82,13 @@ std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRe
 /// Removes findings about cameras that are not converted and, if only one camera and no IMU is left, findings about poses: no
 /// pose is written then.
 void drop_findings_of_others(const std::vector<Camera>& read, const Rig& rig, std::vector<Finding>& findings) {
-  const bool is_alone = rig.cameras.size() == 1 && rig.imus.empty();
+  const bool is_single_camera = rig.cameras.size() == 1 && rig.imus.empty();
   std::erase_if(findings, [&](const Finding& finding) {
     const auto* owner =
         finding.facts.arguments.empty() ? nullptr : std::get_if<std::string>(&finding.facts.arguments.front().value);
     const bool is_of_camera = owner != nullptr && std::ranges::find(read, *owner, &Camera::name) != read.end();
     const bool is_left_out = is_of_camera && rig.find_camera(*owner) == nullptr;
-    return is_left_out || (is_alone && info(code_of(finding)).about == About::kPoses);
+    return is_left_out || (is_single_camera && info(code_of(finding)).about == About::kPoses);
   });
 }
 
@@ -107,7 +107,7 @@ void put_pair_first(const ConvertRequest& request, const Format& to, Calibration
 }
 
 /// If poses contradict each other and a single one explains that, removes it from the input. The fresh file gets the others.
-void leave_out_outvoted(Start& start, Diagnostics& diagnostics) {
+void remove_contradicting_pose(Start& start, Diagnostics& diagnostics) {
   start.outvoted = outvoted_pose(start.rig_of_input);
   if (!start.outvoted) return;
   start.input.rig = without_pose(start.outvoted->loop.edge, std::move(start.input.rig));
@@ -164,10 +164,10 @@ bool read_start(const ConvertRequest& request, Files& files, Start& start, std::
   start.input = *std::move(input);
   result.from = start.input.format;
   result.one_format = start.input.one_format;
-  if (!serves(request, start.input, result)) return false;
-  if (start.into && !has_use_for(*start.into, start.input.rig, request.inputs.files.front(), result)) return false;
+  if (!input_is_convertible(request, start.input, result)) return false;
+  if (start.into && !base_poses_are_known(*start.into, start.input.rig, request.inputs.files.front(), result)) return false;
   start.base = base_of(request, start.input, start.into, *result.to);
-  if (start.base.document == nullptr || (request.rewrite && !start.into)) leave_out_outvoted(start, result.diagnostics);
+  if (start.base.document == nullptr || (request.rewrite && !start.into)) remove_contradicting_pose(start, result.diagnostics);
   return true;
 }
 

@@ -45,7 +45,7 @@ std::optional<Written> write_rig(const Calibration& source, const Rig& rig, cons
   std::optional<Written> written = write_calibration(*result.to, base.document, rig, options, result.diagnostics);
   if (!written || base.document == nullptr || !request.verify || request.rewrite) return written;
   const bool edited = written->files.front().document.edited();
-  const bool loads = (edited || base.into != nullptr) && mend_kept_text(*result.to, rig, *written, views, result.diagnostics);
+  const bool loads = (edited || base.into != nullptr) && fix_kept_text(*result.to, rig, *written, views, result.diagnostics);
   if (loads || keeps_text(request, base)) return written;
   const bool asked_for = !options.layout.empty() || edited;
   // The program must be able to read what an input becomes: a camchain with the first line that OpenVINS needs is no base for

@@ -62,8 +62,8 @@ void add_reach(const Format& to, const ModelChoice& choice, std::vector<Converte
     ConvertedCamera& camera = cameras[i];
     const StoredModel* stored = find_stored_model(to, model_info(camera.target.model).id, false);
     if (!camera.report || camera.report->exact || stored == nullptr) return;
-    Diagnostics told_already;
-    camera.report->reach = reach_table(camera.source, options_for(*stored, choice), *camera.report, told_already);
+    Diagnostics discarded;
+    camera.report->reach = reach_table(camera.source, options_for(*stored, choice), *camera.report, discarded);
   });
 }
 
@@ -193,7 +193,7 @@ bool Writing::write() {
   std::optional<Written> written = write_rig(input_, rig_, base_, request_, kept_.replaced, views_, result_);
   if (written && request_.program != nullptr) put_first(*request_.program, rig_, *written);
   if (!written || !is_edit_of_base(request_, base_, *written, result_.diagnostics)) return false;
-  if (into_) tell_of_kept(kept_, *written, result_.diagnostics);
+  if (into_) report_kept(kept_, *written, result_.diagnostics);
   list_assumed_units(input_, to, *written);
   const bool edits_input = !into_ && base_.document != nullptr;
   if (edits_input && !request_.inputs.change.changes_nothing())

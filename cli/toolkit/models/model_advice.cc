@@ -46,8 +46,8 @@ std::optional<ConversionReport> report_as(const StoredModel& stored, const Camer
   options.objective = objective;
   options.every_pixel = false;
   options.bound = false;
-  Diagnostics unheard;
-  std::optional<Conversion> conversion = converted(camera, options, choice, unheard);
+  Diagnostics discarded;
+  std::optional<Conversion> conversion = converted(camera, options, choice, discarded);
   return conversion ? std::optional(std::move(conversion->report)) : std::nullopt;
 }
 

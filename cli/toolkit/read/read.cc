@@ -89,8 +89,8 @@ Inputs with_parts_recognised(const Inputs& inputs, Files& files) {
     one.files = {file};
     one.parts.clear();
     one.cameras.reset();
-    Diagnostics told_later;
-    const std::optional<Calibration> calibration = read_calibration(one, files, told_later);
+    Diagnostics discarded;
+    const std::optional<Calibration> calibration = read_calibration(one, files, discarded);
     const bool is_part = calibration && calibration->rig.cameras.empty();
     (is_part ? result.parts : result.files).push_back(file);
   }

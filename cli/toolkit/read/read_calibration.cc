@@ -196,8 +196,8 @@ std::optional<Calibration> read_as_stated(const Inputs& given, Files& files, Dia
     if (!document) return std::nullopt;
     documents.push_back(*std::move(document));
     detected.resize(documents.size());
-    Diagnostics told_later;
-    if (inputs.format == nullptr) detected.back() = detect_format(documents.back(), told_later);
+    Diagnostics discarded;
+    if (inputs.format == nullptr) detected.back() = detect_format(documents.back(), discarded);
     const Format* format = detected.back() ? detected.back()->format : inputs.format;
     if (format != nullptr && !add_parts(*format, files, documents, diagnostics)) return std::nullopt;
   }

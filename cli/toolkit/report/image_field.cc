@@ -25,8 +25,8 @@ using ValueOf = std::function<std::optional<double>(const Pixel&, const Ray&)>;
 
 std::optional<ImageField> field_of(const Camera& camera, std::optional<double> limit_rad, int most_cells,
                                    const ValueOf& value_of) {
-  Diagnostics told_already;
-  const std::optional<Domain> domain = domain_of(camera, limit_rad, told_already);
+  Diagnostics discarded;
+  const std::optional<Domain> domain = domain_of(camera, limit_rad, discarded);
   if (!domain) return std::nullopt;
   ImageField field;
   field.image = domain->size;

@@ -196,14 +196,14 @@ class Bounder {
 
   ErrorBound bound() {
     add_strips();
-    while (!hopeless_ && !cells_.empty() && !(cells_.front().bound <= good_enough()) && result_.evaluations < budget_) {
+    while (!is_unbounded_ && !cells_.empty() && !(cells_.front().bound <= good_enough()) && result_.evaluations < budget_) {
       std::ranges::pop_heap(cells_, {}, &Cell::bound);
       const Cell cell = cells_.back();
       cells_.pop_back();
       split(cell);
     }
     result_.bound = cells_.empty() ? done_ : std::max(done_, cells_.front().bound);
-    if (hopeless_) result_.bound = std::numeric_limits<double>::infinity();
+    if (is_unbounded_) result_.bound = std::numeric_limits<double>::infinity();
     return result_;
   }
 
@@ -227,7 +227,7 @@ class Bounder {
   /// sets the width of the next one.
   void add_strips() {
     double width = kFirstStrip;
-    for (double from = 0.0; from < max_angle_ && !hopeless_;) {
+    for (double from = 0.0; from < max_angle_ && !is_unbounded_;) {
       const double left = max_angle_ - from;
       const bool spent = result_.evaluations >= budget_;
       const double parts = spent ? 1.0 : std::ceil(left / width);
@@ -382,7 +382,7 @@ class Bounder {
     if (centre_inside) {
       // However finely this cell is divided, a part of it lies in the image, and the strip's remainder is infinite for every
       // part.
-      hopeless_ = hopeless_ || !strip.finite();
+      is_unbounded_ = is_unbounded_ || !strip.finite();
       const double surely = length(error.value[0], error.value[1]) - strip.remainder();
       if (surely > result_.seen) {
         result_.seen = surely;
@@ -418,9 +418,9 @@ class Bounder {
   };
   std::vector<FirstCell> first_cells_;
   std::vector<Strip> strips_;
-  std::vector<Cell> cells_;  ///< A heap; the cell with the largest bound is first.
-  double done_ = 0.0;        ///< The largest bound of the cells that are not divided further.
-  bool hopeless_ = false;    ///< True if a strip with an infinite remainder reaches into the image: no bound exists.
+  std::vector<Cell> cells_;    ///< A heap; the cell with the largest bound is first.
+  double done_ = 0.0;          ///< The largest bound of the cells that are not divided further.
+  bool is_unbounded_ = false;  ///< True if a strip with an infinite remainder reaches into the image: no bound exists.
   ErrorBound result_;
 };
 

@@ -117,7 +117,7 @@ std::optional<std::vector<CameraModel>> fit_common_lens(std::span<const Camera> 
                                                         std::optional<double> max_angle_rad, Diagnostics& diagnostics,
                                                         const FitWeight& weight) {
   Samples samples;
-  const FitWeight counted = internal::counts_alike(weight) ? FitWeight() : weight;
+  const FitWeight counted = internal::has_equal_weights(weight) ? FitWeight() : weight;
   for (const Camera& source : sources) {
     const std::optional<Domain> domain = domain_of(source, max_angle_rad, diagnostics);
     if (!domain) return std::nullopt;

@@ -9,7 +9,7 @@ namespace fca::internal {
 void LatticePoints::finish() {
   joined_[0] = 0.0;
   joined_[count_] = 0.0;
-  if (!scorer_.score(batch_, count_)) part_verdicts();
+  if (!scorer_.score(batch_, count_)) split_rows_at_verdicts();
   find_spreads();
   sink_(batch_, count_);
   count_ = 0;
@@ -17,7 +17,7 @@ void LatticePoints::finish() {
 
 /// The error jumps between neighbours with different verdicts, so their row is cut there. Points that are not scored get the
 /// error 0.
-void LatticePoints::part_verdicts() {
+void LatticePoints::split_rows_at_verdicts() {
   for (std::size_t i = 0; i < count_; ++i) {
     if (i > 0 && batch_.verdict[i] != batch_.verdict[i - 1]) joined_[i] = 0.0;
     if (batch_.verdict[i] != Verdict::kScored) batch_.error[i] = 0.0;

@@ -48,7 +48,7 @@ class LatticePoints {
   [[nodiscard]] std::size_t added() const { return added_; }
 
  private:
-  void part_verdicts();
+  void split_rows_at_verdicts();
   void find_spreads();
 
   const Scorer& scorer_;

@@ -51,9 +51,9 @@ void Summary::find_bins(const Batch& batch, std::size_t count, BinsOfPoints& fou
   }
 }
 
-double Summary::smallest_bad() const { return worst_.size() == kWorst ? worst_.back().error : -1.0; }
+double Summary::worst_threshold() const { return worst_.size() == kWorst ? worst_.back().error : -1.0; }
 
-void Summary::keep_bad(const Point& point) {
+void Summary::keep_worst(const Point& point) {
   worst_.insert(std::ranges::upper_bound(worst_, point.error, std::ranges::greater{}, &Point::error), point);
   if (worst_.size() > kWorst) worst_.pop_back();
 }
@@ -112,9 +112,9 @@ std::size_t Summary::add_band(const Batch& batch, std::size_t begin, std::size_t
   band.max = std::max(band.max, sums.max);
   band.count += static_cast<long long>(end - begin);
   sum_ += sum;
-  if (sums.max > smallest_bad()) {
+  if (sums.max > worst_threshold()) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (batch.error[i] > smallest_bad()) keep_bad(batch.point(i));
+      if (batch.error[i] > worst_threshold()) keep_worst(batch.point(i));
     }
   }
   return end;

@@ -40,8 +40,8 @@ class Summary {
   template <std::size_t N>
   [[nodiscard]] std::array<double, N> percentiles(const std::array<double, N>& shares) const;
   /// The error [px] above which a point is among the worst; -1 while there is room for more points.
-  [[nodiscard]] double smallest_bad() const;
-  void keep_bad(const Point& point);
+  [[nodiscard]] double worst_threshold() const;
+  void keep_worst(const Point& point);
   [[nodiscard]] double weight(Verdict verdict) const;
 
   struct Band {

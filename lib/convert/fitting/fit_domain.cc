@@ -36,7 +36,7 @@ SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = null
 /// The larger of the rms over the image and the rms on the fit's samples, divided by the smaller one; 1 if the difference is
 /// below 1e-6 px. A model that bends faster than the samples are dense (rational beyond 70 degrees) can be twice as bad over
 /// the image. One that is better over the image was fitted to a few samples that happen to be the worst.
-double other_than_on_samples(double rms_px, const FittedModel& fitted) {
+double rms_ratio_to_samples(double rms_px, const FittedModel& fitted) {
   constexpr double kNobodySees = 1e-6;  // px
   const auto [less, more] = std::minmax(rms_px, fitted.rms_px);
   return !fitted.reaches_all || more <= less + kNobodySees ? 1.0 : more / less;
@@ -44,7 +44,7 @@ double other_than_on_samples(double rms_px, const FittedModel& fitted) {
 
 /// The rms over the image [px], with the weights that the fit minimises.
 double rms_of(const FitTask& task, const SampledFit& fitted, const Judgement& judgement) {
-  if (counts_alike(task.options.weight)) return judgement.error.rms;
+  if (has_equal_weights(task.options.weight)) return judgement.error.rms;
   return weighted_rms(task.options.weight, task.camera.model, fitted.model->model, task.domain, fitted.reach_rad);
 }
 
@@ -71,7 +71,7 @@ DomainFit fit_and_score(const FitTask& task) {
     const Judgement& before = result.score.judgement;
     const double rms_px = rms_of(task, finer, judgement);
     const bool helps = is_first || judgement.coverage.scored > before.coverage.scored + 1e-3 || rms_px < kHelps * result.rms_px;
-    const double unlike = other_than_on_samples(rms_px, *finer.model);
+    const double unlike = rms_ratio_to_samples(rms_px, *finer.model);
     const bool misses_edge = judgement.coverage.unrepresentable > kVeryEdge;
     if (helps) {
       result.fitted = std::move(finer);

@@ -110,7 +110,7 @@ void improve_from(const CameraModel& start, std::span<const Correspondence> samp
 
 /// An image radius may turn back just before the edge, where the samples have no weight. Such a fit counts as one that does not
 /// reach all samples.
-void ask_every_sample(std::span<const Correspondence> samples, std::optional<FittedModel>& fitted) {
+void require_every_sample(std::span<const Correspondence> samples, std::optional<FittedModel>& fitted) {
   if (!fitted || !bends_back(model_info(fitted->model).id)) return;
   const double last = max_angle(fitted->model);
   fitted->reaches_all = std::ranges::all_of(samples, [last](const Correspondence& s) { return angle_from_axis(s.ray) < last; });
@@ -126,7 +126,7 @@ std::optional<FittedModel> grow_from(const CameraModel& start, std::span<const C
         return listed<M>(fit_growing({target, growth_conditions(M::kId), samples, ranges}, values_of(start)));
       },
       start);
-  ask_every_sample(samples, result);
+  require_every_sample(samples, result);
   return result && result->reaches_all ? result : std::nullopt;
 }
 
@@ -178,7 +178,7 @@ bool may_end_early(std::string_view id) { return has_poles(id) || bends_back(id)
 std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
                                      std::span<const ParameterRange> ranges, Reach reach) {
   std::optional<FittedModel> best = fit_from_own_starts(id, samples, centre, ranges);
-  if (reach == Reach::kEverySample) ask_every_sample(samples, best);
+  if (reach == Reach::kEverySample) require_every_sample(samples, best);
   if (const std::optional<ParameterId> bends = bends_back(id); bends && (!best || !best->reaches_all)) {
     keep_better(grow(id, *bends, samples, centre, ranges), best);
   }
@@ -205,7 +205,7 @@ std::unique_ptr<FitTarget> fit_target_of(const CameraModel& model) {
 std::optional<FittedModel> fit_from(const CameraModel& start, std::span<const Correspondence> samples,
                                     std::span<const ParameterRange> ranges) {
   std::optional<FittedModel> best = refit(start, samples, ranges);
-  ask_every_sample(samples, best);
+  require_every_sample(samples, best);
   const std::string_view id = model_info(start).id;
   if (const std::optional<ParameterId> bends = bends_back(id); bends && (!best || !best->reaches_all)) {
     std::optional<FittedModel> grows = grow_from(start, samples, ranges);
@@ -213,7 +213,7 @@ std::optional<FittedModel> fit_from(const CameraModel& start, std::span<const Co
     keep_better(grows ? std::move(grows) : grow(id, *bends, samples, centre, ranges), best);
   }
   std::optional<FittedModel> unchanged = as_it_is(start, samples, ranges);
-  ask_every_sample(samples, unchanged);
+  require_every_sample(samples, unchanged);
   keep_better(std::move(unchanged), best);
   return best;
 }

@@ -351,8 +351,8 @@ std::vector<Fitter::Trial> Fitter::try_shapes(std::span<const Correspondence> fe
 }
 
 /// The minimum between a trial's neighbours, by golden-section search: each step divides the longer side.
-Fitter::Trial Fitter::bottom_near(std::span<const Trial> trials, std::size_t at_trial, std::span<const Correspondence> few,
-                                  const LensCentre& centre) const {
+Fitter::Trial Fitter::refine_minimum(std::span<const Trial> trials, std::size_t at_trial, std::span<const Correspondence> few,
+                                     const LensCentre& centre) const {
   constexpr int kSections = 10;
   constexpr double kGolden = 0.381966011250105;
   Trial best = trials[at_trial];
@@ -391,7 +391,7 @@ std::vector<Candidate> Fitter::search_shapes(const LensCentre& centre) {
   bottoms.resize(std::min(bottoms.size(), kMostBottoms));
   std::vector<Trial> found;
   for (const std::size_t bottom : bottoms) {
-    Trial& trial = found.emplace_back(bottom_near(trials, bottom, few, centre));
+    Trial& trial = found.emplace_back(refine_minimum(trials, bottom, few, centre));
     polisher_.hold_fixed(*trial.candidate);
     // The costs of two minima may differ by less than the search leaves of each.
     if (bottoms.size() > 1) polisher_.polish(*trial.candidate, few, kCoarse.effort);

@@ -47,8 +47,8 @@ class Fitter {
                                                    double shape) const;
   struct Trial;
   [[nodiscard]] std::vector<Trial> try_shapes(std::span<const Correspondence> few, const LensCentre& centre) const;
-  [[nodiscard]] Trial bottom_near(std::span<const Trial> trials, std::size_t at_trial, std::span<const Correspondence> few,
-                                  const LensCentre& centre) const;
+  [[nodiscard]] Trial refine_minimum(std::span<const Trial> trials, std::size_t at_trial, std::span<const Correspondence> few,
+                                     const LensCentre& centre) const;
   std::vector<Candidate> search_shapes(const LensCentre& centre);
   void rank_rivals(const LensCentre& centre, std::vector<Trial>& found) const;
 

@@ -157,8 +157,8 @@ class Problem {
 /// domain.
 std::optional<CameraOfPair> of_pair(const SeparateFit& fit) {
   constexpr int kSamples = 400;
-  Diagnostics told_already;
-  std::optional<Domain> domain = domain_of(fit.source, fit.options.max_angle_rad, told_already);
+  Diagnostics discarded;
+  std::optional<Domain> domain = domain_of(fit.source, fit.options.max_angle_rad, discarded);
   if (!domain) return std::nullopt;
   const double reach_rad = fit.conversion.report.scored_to_deg * std::numbers::pi / 180.0;
   domain->max_angle_rad = std::min(domain->max_angle_rad, reach_rad);
@@ -179,8 +179,8 @@ std::optional<PairError> error_of(const std::array<SeparateFit, 2>& fits, const 
 /// The conversion with its camera replaced by `state`, evaluated with the same options; nullopt if that covers less of the
 /// image.
 std::optional<Conversion> conversion_to(const SeparateFit& fit, const State& state) {
-  Diagnostics told_already;
-  const std::optional<Domain> domain = domain_of(fit.source, fit.options.max_angle_rad, told_already);
+  Diagnostics discarded;
+  const std::optional<Domain> domain = domain_of(fit.source, fit.options.max_angle_rad, discarded);
   if (!domain) return std::nullopt;
   const Transform T_target_source = state.turn();
   const bool is_turned = !state.angles.isZero();

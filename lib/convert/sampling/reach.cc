@@ -37,8 +37,8 @@ std::optional<ReachRow> fitted_row(const Camera& camera, ConvertOptions options,
   options.reach = false;
   options.bound = false;
   options.every_pixel = false;
-  Diagnostics unheard;
-  const std::optional<Conversion> conversion = convert(camera, options, unheard);
+  Diagnostics discarded;
+  const std::optional<Conversion> conversion = convert(camera, options, discarded);
   if (!conversion) return std::nullopt;
   return row_of(angle_rad, conversion->report);
 }
@@ -87,8 +87,8 @@ std::vector<ReachRow> reach_table(const Camera& camera, const ConvertOptions& op
   for_whole.reach = false;
   for_whole.bound = false;
   for_whole.every_pixel = false;
-  Diagnostics unheard;
-  const std::optional<Conversion> whole = convert(camera, for_whole, unheard);
+  Diagnostics discarded;
+  const std::optional<Conversion> whole = convert(camera, for_whole, discarded);
   return rows(camera, options, *domain, whole ? &whole->report : nullptr);
 }
 

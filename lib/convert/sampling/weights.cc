@@ -106,7 +106,7 @@ std::vector<Correspondence> grid_of(const Lens& source, const Domain& domain, in
 
 }  // namespace
 
-bool counts_alike(const FitWeight& weight) {
+bool has_equal_weights(const FitWeight& weight) {
   if (weight.kind != WeightKind::kImage) return weight.kind == WeightKind::kPixel;
   const auto [darkest, lightest] = std::ranges::minmax_element(weight.density->samples);
   return *darkest == *lightest && *lightest > 0.0F;

@@ -13,7 +13,7 @@
 namespace fca::internal {
 
 /// True if all pixels have the same weight. A fit is then identical to that with FitWeight(), to the last bit.
-[[nodiscard]] bool counts_alike(const FitWeight& weight);
+[[nodiscard]] bool has_equal_weights(const FitWeight& weight);
 
 /// True if `density`, an image of the domain's size, is not black at every pixel of the domain.
 [[nodiscard]] bool counts_any(const GreyImage& density, const Lens& source, const Domain& domain);
