@@ -330,6 +330,9 @@ class Reader {
         R.emplace();
         const std::vector<double> values = values_of(*read);
         std::copy(values.begin(), values.end(), R->begin());
+      } else if (read && read->rows == 3 && read->cols == 1 && read->channels() == 1 && is_real(*read)) {
+        const std::vector<double> vector = values_of(*read);  // cv::stereoRectify takes a rotation vector, too
+        R = rotation_of({vector[0], vector[1], vector[2]});
       } else if (read) {
         refuse(Code::kCvRotationSize, "R", {read->rows, read->cols});
       }

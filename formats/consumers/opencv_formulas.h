@@ -159,4 +159,31 @@ inline Matrix3 rotation_of(const std::array<double, 3>& om) {
           t * y * z - s * x, t * x * z - s * y, t * y * z + s * x, c + t * z * z};
 }
 
+/// The rotation nearest to a matrix: the mean of it and its inverse transposed, until that stays. Of one without an inverse
+/// nan.
+inline Matrix3 nearest_rotation(const Matrix3& matrix) {
+  Matrix3 R = matrix;
+  constexpr int kSteps = 60;  // each halves what is far off and squares what is near
+  for (int step = 0; step < kSteps; ++step) {
+    const Matrix3 cofactors = {R[4] * R[8] - R[5] * R[7], R[5] * R[6] - R[3] * R[8], R[3] * R[7] - R[4] * R[6],
+                               R[2] * R[7] - R[1] * R[8], R[0] * R[8] - R[2] * R[6], R[1] * R[6] - R[0] * R[7],
+                               R[1] * R[5] - R[2] * R[4], R[2] * R[3] - R[0] * R[5], R[0] * R[4] - R[1] * R[3]};
+    const double determinant = R[0] * cofactors[0] + R[1] * cofactors[1] + R[2] * cofactors[2];
+    for (std::size_t i = 0; i < R.size(); ++i) R.at(i) = 0.5 * (R.at(i) + cofactors.at(i) / determinant);
+  }
+  return R;
+}
+
+/// The sine of the angle below which cv::Rodrigues makes the vector 0 of a rotation.
+inline constexpr double kNoRotation = 1e-5;
+
+/// What cv::Rodrigues makes of a matrix there and back: the nearest rotation, and none at all of a turn below 1e-5 rad.
+inline Matrix3 rotation_there_and_back(const Matrix3& matrix) {
+  const Matrix3 R = nearest_rotation(matrix);
+  const double sine = 0.5 * std::hypot(R[7] - R[5], R[2] - R[6], R[3] - R[1]);
+  const double cosine = 0.5 * (R[0] + R[4] + R[8] - 1.0);
+  if (sine < kNoRotation && cosine > 0.0) return {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  return R;
+}
+
 }  // namespace fca::consumers::opencv

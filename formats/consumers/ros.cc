@@ -2,7 +2,7 @@
 // ROS as a consumer of camera_info YAML: camera_calibration_parsers (ros-perception/image_common, parse_yml.cpp with #175 and
 // #254 for binning and roi) reads it with yaml-cpp, image_geometry's PinholeCameraModel (ros-perception/vision_opencv,
 // pinhole_camera_model.cpp) computes with cv::projectPoints and cv::fisheye. A pixel here is what unrectifyPoint returns for a
-// point of the rectified image; a point behind the camera has none.
+// point of the rectified image. A point behind the camera has the pixel of its mirror image there, and here.
 //
 // It chooses the parser by the file's name (.ini: parse_ini.cpp); here a first line in brackets does.
 //
@@ -248,7 +248,7 @@ class IniParser {
 /// PinholeCameraModel
 class Model {
  public:
-  explicit Model(const CameraInfo& info) : K_(info.K), R_(info.R), P_(info.P) {
+  explicit Model(const CameraInfo& info) : K_(info.K), R_(info.R), back_(inverse_of(info.R)), P_(info.P) {
     const bool fisheye = info.distortion_model == "equidistant";
     for (const double coefficient : info.D) calibrated_ = calibrated_ || coefficient != 0.0;
     fisheye_ = fisheye && calibrated_;
@@ -259,12 +259,24 @@ class Model {
 
   [[nodiscard]] bool calibrated() const { return calibrated_; }
 
-  /// The pixel of a ray in the camera's own frame.
+  /// The pixel of a ray in the camera's own frame: of the point far away where it meets the rectified camera's plane at z = 1
+  /// or z = -1. So this camera's place in the rectified frame does not matter.
   [[nodiscard]] std::optional<Pixel> project(const Ray& ray) const {
-    if (!(ray[2] > 0.0)) return std::nullopt;
-    const Pixel pixel = calibrated_ ? distorted(ray) : rectified(ray);
+    const Ray there = times(R_, ray);
+    if (there[2] == 0.0) return std::nullopt;  // project3dToPixel divides by it
+    const Pixel pixel = calibrated_ ? distorted(there) : rectified(there);
     if (!std::isfinite(pixel[0]) || !std::isfinite(pixel[1])) return std::nullopt;
     return pixel;
+  }
+
+  /// How far pixels are off where OpenCV takes R, turned by less than it notices, for no rotation at all.
+  [[nodiscard]] double unnoticed_px(double width, double height) const {
+    const opencv::Matrix3 exact = opencv::nearest_rotation(R_);
+    if (!calibrated_ || opencv::rotation_there_and_back(R_) == exact) return 0.0;
+    const double angle = 0.5 * std::hypot(exact[7] - exact[5], exact[2] - exact[6], exact[3] - exact[1]);
+    if (!std::isfinite(angle)) return 0.0;
+    const double corner = std::max({1.0, width / std::abs(K_[0]), height / std::abs(K_[4])});
+    return angle * std::max(std::abs(K_[0]), std::abs(K_[4])) * (1.0 + corner * corner);
   }
 
  private:
@@ -284,20 +296,31 @@ class Model {
     }
   }
 
-  [[nodiscard]] Pixel distorted(const Ray& ray) const {
+  static opencv::Matrix3 inverse_of(const opencv::Matrix3& R) {
+    return opencv::rotation_there_and_back({R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]});
+  }
+
+  static Ray times(const opencv::Matrix3& matrix, const Ray& ray) {
+    Ray result{};
+    for (std::size_t i = 0; i < matrix.size(); ++i) result.at(i / 3) += matrix.at(i) * ray.at(i % 3);
+    return result;
+  }
+
+  /// unrectifyPoint, of a point in the rectified frame.
+  [[nodiscard]] Pixel distorted(const Ray& there) const {
     const opencv::CameraMatrix K = {K_[0], K_[4], K_[2], K_[5]};
+    const Ray ray = times(back_, {there[0] / there[2], there[1] / there[2], 1.0});
     return fisheye_ ? opencv::fisheye_project_points(K, k_, ray) : opencv::project_points(K, D_, ray);
   }
 
-  /// project3dToPixel of a point far away: this camera's place in the rectified frame does not matter.
-  [[nodiscard]] Pixel rectified(const Ray& ray) const {
-    Ray p{};
-    for (std::size_t i = 0; i < 9; ++i) p.at(i / 3) += R_.at(i) * ray.at(i % 3);
-    return {P_[0] * p[0] / p[2] + P_[2], P_[5] * p[1] / p[2] + P_[6]};
+  /// project3dToPixel.
+  [[nodiscard]] Pixel rectified(const Ray& there) const {
+    return {P_[0] * there[0] / there[2] + P_[2], P_[5] * there[1] / there[2] + P_[6]};
   }
 
   std::array<double, 9> K_;
   std::array<double, 9> R_;
+  opencv::Matrix3 back_;  ///< R's inverse, as OpenCV takes it.
   std::array<double, 12> P_;
   opencv::PinholeCoefficients D_{};
   std::array<double, 4> k_{};
@@ -379,6 +402,7 @@ ConsumerView load_ros(std::string_view bytes, const LoadOptions& /*options*/) {
   camera.width = static_cast<int>((whole ? info.width : info.roi_width) / std::max(info.binning_x, 1U));
   camera.height = static_cast<int>((whole ? info.height : info.roi_height) / std::max(info.binning_y, 1U));
   camera.model = info.distortion_model;
+  camera.approximation_px = model.unnoticed_px(camera.width, camera.height);
   const double skew_px = info.K[1];
   camera.misread = is_misread(info, model) || cameras > 1 || skew_px != 0.0;
   if (skew_px != 0.0) view.warnings.emplace_back(Code::kRosSaysSkewUnused, "camera_matrix", std::vector<Argument>{skew_px});

@@ -181,7 +181,7 @@ std::string table_of_programs(const std::vector<std::string>& ids) {
   for (const std::string& id : ids) {
     const consumers::Consumer* reader = consumers::find_consumer(id);
     if (reader == nullptr) return "no program " + id + "\n";
-    table += "| `" + id + "` | " + std::string(reader->program) + " | " + std::string(reader->source) + " |\n";
+    table += "| `" + id + "` | " + std::string(reader->program) + " | " + consumers::source_words(reader->source) + " |\n";
   }
   return table;
 }

@@ -14,7 +14,23 @@ namespace fca::test {
 struct OracleCamera {
   CameraModel ours;
   consumers::ConsumerCamera theirs;
+  /// The camera that the program computes with: ours, or where it misreads its second camera, that with the first one's lens
+  /// coefficients (FORMATS.md 3.2). In pixels of the file.
+  CameraModel as_read;
+  [[nodiscard]] bool is_rescaled() const { return theirs.scale[0] != 1.0 || theirs.scale[1] != 1.0; }
 };
+
+/// `camera` with the lens coefficients of `other`.
+inline CameraModel with_lens_of(CameraModel camera, const CameraModel& other) {
+  for (const Parameter& each : model_info(camera).parameters) {
+    const ParameterId id(each);
+    const bool is_of_matrix =
+        id == ParameterId("fx") || id == ParameterId("fy") || id == ParameterId("cx") || id == ParameterId("cy");
+    if (is_of_matrix) continue;
+    EXPECT_TRUE(set_parameter(camera, id, parameter(other, id).value_or(0.0)));
+  }
+  return camera;
+}
 
 /// Nothing, with a failure, where one of the two has no such camera.
 inline std::optional<OracleCamera> oracle_camera(const consumers::Consumer& consumer, const OracleTable& table) {
@@ -35,7 +51,9 @@ inline std::optional<OracleCamera> oracle_camera(const consumers::Consumer& cons
     ADD_FAILURE() << "the program finds " << view.cameras.size() << " cameras";
     return std::nullopt;
   }
-  return OracleCamera{calibration.rig.cameras[table.camera].model, view.cameras[table.camera]};
+  const CameraModel& ours = calibration.rig.cameras[table.camera].model;
+  const consumers::ConsumerCamera& theirs = view.cameras[table.camera];
+  return OracleCamera{ours, theirs, theirs.misread ? with_lens_of(ours, calibration.rig.cameras.front().model) : ours};
 }
 
 /// What separates two right implementations of one formula in the program's precision (oracles/README.md), in pixels.

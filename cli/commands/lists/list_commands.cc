@@ -301,6 +301,46 @@ ExitCode compare_file(const ListArguments& arguments, Console& console) {
   return ExitCode::kGood;
 }
 
+/// How a reader was checked, and when.
+std::string check_words(const consumers::ReaderSource& source) {
+  const std::string when(source.checked_on);
+  switch (source.check) {
+    case consumers::ReaderCheck::kRealProgram:
+      return "checked with " + std::string(source.checked_with) + " in CI (since " + when + ")";
+    case consumers::ReaderCheck::kBuiltOnce:
+      return "checked with pixels of the program, built once (" + when + ")";
+    case consumers::ReaderCheck::kFromSource:
+      break;
+  }
+  return "checked with its source only (" + when + ")";
+}
+
+std::string_view check_id(consumers::ReaderCheck check) {
+  switch (check) {
+    case consumers::ReaderCheck::kRealProgram:
+      return "real-program";
+    case consumers::ReaderCheck::kBuiltOnce:
+      return "built-once";
+    case consumers::ReaderCheck::kFromSource:
+      break;
+  }
+  return "from-source";
+}
+
+void put_source(Json& json, const consumers::ReaderSource& source) {
+  const auto put_known = [&json](std::string_view key, std::string_view value) {
+    value.empty() ? json.null(key) : json.put(key, value);
+  };
+  json.put("source", consumers::source_words(source));
+  json.put("repository", source.repository);
+  put_known("commit", source.commit);
+  put_known("version", source.version);
+  put_known("date", source.date);
+  json.put("checked", check_id(source.check));
+  put_known("checked_with", source.checked_with);
+  json.put("checked_on", source.checked_on);
+}
+
 ExitCode list_programs(const ListArguments& arguments, Console& console) {
   if (arguments.json) {
     Json json;
@@ -312,16 +352,19 @@ ExitCode list_programs(const ListArguments& arguments, Console& console) {
           json.put("program", consumer.program);
           json.put("format", consumer.format);
           json.put("tolerance_px", consumer.tolerance_px);
-          json.put("source", consumer.source);
+          put_source(json, consumer.source);
         });
       });
     });
     console.out(json.document());
     return ExitCode::kGood;
   }
+  constexpr std::size_t kId = 19;
+  const std::string indent(kId, ' ');
   for (const consumers::Consumer& consumer : consumers::all_consumers()) {
-    console.out(padded(consumer.id, 19) + std::string(consumer.program) + ", reads " + std::string(consumer.format) + "\n" +
-                padded("", 19) + "after " + std::string(consumer.source) + "\n");
+    const auto line = [&](const std::string& words) { return indent + in_columns(words, kId, kId + kGap) + "\n"; };
+    console.out(padded(consumer.id, kId) + std::string(consumer.program) + ", reads " + std::string(consumer.format) + "\n" +
+                line("after " + consumers::source_words(consumer.source)) + line(check_words(consumer.source)));
   }
   return ExitCode::kGood;
 }

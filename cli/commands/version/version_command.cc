@@ -24,7 +24,7 @@ std::string version_json(const Origin& origin) {
       json.object([&] {
         json.put("id", consumer.id);
         json.put("program", consumer.program);
-        json.put("source", consumer.source);
+        json.put("source", consumers::source_words(consumer.source));
       });
     });
   });
@@ -42,9 +42,10 @@ std::string version_text(const Origin& origin) {
   const std::span<const consumers::Consumer> programs = consumers::all_consumers();
   constexpr std::size_t kId = 12;
   for (auto program = programs.begin(); program != programs.end(); ++program) {
-    const auto same = [&program](const consumers::Consumer& other) { return other.source == program->source; };
+    const std::string words = consumers::source_words(program->source);
+    const auto same = [&words](const consumers::Consumer& other) { return consumers::source_words(other.source) == words; };
     if (std::any_of(programs.begin(), program, same)) continue;
-    text += "  " + padded(program->id, kId) + std::string(program->source) + "\n";
+    text += "  " + padded(program->id, kId) + words + "\n";
   }
   return text;
 }

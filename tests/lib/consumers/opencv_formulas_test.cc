@@ -122,5 +122,23 @@ TEST(OpenCvFormulas, Rodrigues) {
   }
 }
 
+// Of matrices that are nearly rotations, too, and of turns that it does not notice.
+TEST(OpenCvFormulas, RodriguesThereAndBack) {
+  const double small = 3e-6;
+  for (const cv::Matx33d& matrix :
+       {cv::Matx33d(1, 0, 0, 0, 1, 0, 0, 0, 1), cv::Matx33d(0.9998, -0.02, 0, 0.02, 0.9998, 0, 0, 0, 1),
+        cv::Matx33d(0.9, 0.1, 0, -0.2, 1.1, 0.3, 0.1, -0.3, 0.8), cv::Matx33d(1, 0, small, 0, 1, 0, -small, 0, 1),
+        cv::Matx33d(0, 0, 1, 1, 0, 0, 0, 1, 0), cv::Matx33d(2, 0, 0, 0, 2, 0, 0, 0, 2)}) {
+    cv::Vec3d vector;
+    cv::Matx33d theirs;
+    cv::Rodrigues(matrix, vector);
+    cv::Rodrigues(vector, theirs);
+    Matrix3 given{};
+    std::copy(std::begin(matrix.val), std::end(matrix.val), given.begin());
+    const Matrix3 ours = rotation_there_and_back(given);
+    for (std::size_t i = 0; i < ours.size(); ++i) EXPECT_NEAR(ours.at(i), theirs.val[i], 1e-14) << matrix;
+  }
+}
+
 }  // namespace
 }  // namespace fca::consumers::opencv

@@ -9,6 +9,7 @@
 #include <fca/message.h>
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -124,6 +125,28 @@ struct Writing {
   bool lenses_alone = false;  ///< It reads nothing of how cameras sit to each other.
 };
 
+/// How it is known that a reader does what its program does.
+enum class ReaderCheck : std::uint8_t {
+  kRealProgram,  ///< tests/programs gives our files to the program itself, whenever .ci/run runs.
+  kBuiltOnce,    ///< The program was built once. Tests compare with the pixels that it printed then.
+  kFromSource,   ///< Its source was read. It was never run.
+};
+
+/// The program that a reader imitates, and how the reader was checked. What is not known is empty.
+struct ReaderSource {
+  std::string_view repository;    ///< "ethz-asl/kalibr"
+  std::string_view commit = {};   ///< Its first digits: "1f60227".
+  std::string_view version = {};  ///< "V1.0", or what else says which of them: a branch, a file.
+  std::string_view date = {};     ///< Of the commit, else of the version: 2024-03-08 or 2024-03.
+  ReaderCheck check = ReaderCheck::kFromSource;
+  std::string_view checked_with = {};  ///< Of kRealProgram, what runs: "OpenCV 4.6.0".
+  std::string_view checked_on;         ///< Of kRealProgram the day since when it runs; else the day of the check.
+  bool operator==(const ReaderSource&) const = default;
+};
+
+/// "ethz-asl/kalibr@1f60227 (2024-03-08)": as much as is known.
+[[nodiscard]] std::string source_words(const ReaderSource& source);
+
 /// A row of the table of consumers.
 struct Consumer {
   std::string_view id;       ///< "kalibr", "orbslam3", ...
@@ -140,8 +163,7 @@ struct Consumer {
   /// It goes by a second statement of the lens, an inverse polynomial, which the read model knows nothing of.
   bool by_inverse = false;
   Writing writing = {};
-  /// From what it was written: "ethz-asl/kalibr@1f60227 (2022-11)", as far as that is known.
-  std::string_view source = {};
+  ReaderSource source = {};
   /// What load() waits for at its first call (a library that is loaded), beforehand; any thread may call it. Null: nothing.
   void (*prepare)() = nullptr;
   [[nodiscard]] constexpr bool reads(std::string_view format_id) const {
