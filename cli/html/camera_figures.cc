@@ -71,7 +71,7 @@ Chart radius_chart(const DrawnCamera& camera, double domain) {
   }
   constexpr double kAbove = 1.05;
   chart.y = {"px from the principal point", 0.0, farthest > 0.0 ? kAbove * farthest : 1.0};
-  chart.marks.push_back({domain, "domain ends"});
+  chart.marks.push_back({domain, "view ends"});
   if (camera.judgement != nullptr && camera.scored_to_deg < domain - kNoticeableDeg)
     chart.marks.push_back({camera.scored_to_deg, "scored to here"});
   return chart;

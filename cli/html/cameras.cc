@@ -64,7 +64,7 @@ void put_judgement(Html& html, const ShownCamera& camera) {
   const ConversionReport& report = *camera.report();
   const Judgement& j = report.judgement;
   const std::string scored = camera.kept() ? "" : "; " + coverage_text(j.coverage, report.scored_to_deg);
-  line("domain: ", domain_in_words(j.coverage) + scored);
+  line("field of view: ", domain_in_words(j.coverage) + scored);
   if (const std::string own = uncertainty_in_words(report); !own.empty()) line("against: ", own);
   if (camera.kept()) {
     line("error: ", "none: the same model and parameters");
@@ -80,7 +80,7 @@ void put_judgement(Html& html, const ShownCamera& camera) {
 void put_reach(Html& html, const std::vector<ReachRow>& rows) {
   if (rows.empty()) return;
   html.element("details", {}, [&] {
-    html.element("summary", {}, "If the lens ends earlier and the corners are black: what --max-angle would reach");
+    html.element("summary", {}, "If the lens ends earlier and the corners are black: the errors with --max-angle");
     Table table{{"--max-angle", "share", "rms px", "max px", "scored to"}, {}, "numbers"};
     for (const ReachRow& row : rows) {
       table.rows.push_back({text::format_short(row.max_angle_deg, 4), percent(row.scored), pixels(row.rms_px),

@@ -59,7 +59,7 @@ void put_words(Html& html, const CameraComparison& camera) {
   }
   const CameraDifference& difference = camera.difference;
   const Coverage& coverage = difference.judgement.coverage;
-  put_line(html, "domain: ", domain_in_words(coverage) + "; " + coverage_text(coverage, camera.scored_to_deg));
+  put_line(html, "field of view: ", domain_in_words(coverage) + "; " + coverage_text(coverage, camera.scored_to_deg));
   put_line(html, "difference: ",
            error_text(difference.judgement, camera.size) + "; rms " + pixels(difference.angle.rms_deg) + " deg, max " +
                pixels(difference.angle.max_deg) + " deg");
@@ -212,14 +212,14 @@ std::string comparison_page(const ReferenceFile& reference, const ComparedFile& 
                    [&] { put_camera(html, camera, reference.calibration->rig, compared.calibration->rig, max_angle_rad); });
     }
     if (!comparison.poses.empty()) {
-      html.element("h2", {}, "How they sit to each other");
+      html.element("h2", {}, "Poses");
       put_poses(html, comparison.poses);
       put_rigs(html, reference, compared);
     }
     put_facts(html, comparison.facts);
     put_only(html, comparison);
-    put_diagnostics(html, "Said while reading the reference", reference.diagnostics);
-    put_diagnostics(html, "Said while comparing", compared.diagnostics);
+    put_diagnostics(html, "Messages while reading the reference", reference.diagnostics);
+    put_diagnostics(html, "Messages while comparing", compared.diagnostics);
     html.element("h2", {}, "How this page was made");
     html.element("pre", {{"class", "command"}}, command);
     html.element("details", {}, [&] {

@@ -61,11 +61,11 @@ void put_said(Html& html, const Said& said) {
 }
 
 void put_findings(Html& html, const ReportContents& contents) {
-  html.element("h2", {}, "Is it sane?");
+  html.element("h2", {}, "What check finds");
   for (const CheckResult& file : contents.checks) put_checked(html, file);
   const Diagnostics& said = contents.conversion ? contents.conversion->diagnostics : contents.shown.diagnostics;
   if (said.entries().empty()) return;
-  html.element("h3", {}, contents.conversion ? "Said while reading and converting" : "Said while reading");
+  html.element("h3", {}, contents.conversion ? "Messages while reading and converting" : "Messages while reading");
   const text::Source& first = contents.shown.calibration->documents.front().source();
   for (const Diagnostic& entry : said.entries()) {
     put_said(html, {entry.severity, id_of(entry), message_of(entry, with_options), place_of(entry.where, first), "",

@@ -57,7 +57,7 @@ void put_defaults(Html& html, const std::vector<DefaultedValue>& defaults) {
 /// As convert's report says it, with what belongs to a verdict set off below it.
 void put_proofs(Html& html, const ConvertResult& outcome) {
   if (outcome.proofs.empty() && outcome.unproven.empty()) return;
-  html.element("h3", {}, "Proof: what the program makes of the written file");
+  html.element("h3", {}, "Proof: how the program reads the written file");
   for (const ProofWords& proof : proofs_in_words(outcome)) {
     html.element("p", {{"class", "strong"}}, proof.verdict);
     for (const std::string& detail : proof.details) html.element("p", {{"class", "soft"}}, "  " + detail);
@@ -68,7 +68,7 @@ void put_proofs(Html& html, const ConvertResult& outcome) {
 
 void put_ledger(Html& html, const ReportContents& contents) {
   if (!contents.conversion || contents.to == nullptr) return;
-  html.element("h2", {}, "What convert loses and makes up for " + std::string(contents.to->title));
+  html.element("h2", {}, "What convert loses and adds for " + std::string(contents.to->title));
   put_losses(html, *contents.conversion);
   put_defaults(html, contents.conversion->defaults);
   put_proofs(html, *contents.conversion);

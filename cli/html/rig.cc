@@ -21,7 +21,7 @@ std::string stated(const std::optional<double>& value, const char* unit) {
 void put_poses(Html& html, const ReportContents& contents) {
   const Calibration& calibration = *contents.shown.calibration;
   const Rig& rig = calibration.rig;
-  html.element("h2", {}, "How they sit to each other");
+  html.element("h2", {}, "Poses");
   if (rig.poses.empty()) {
     html.element("p", {}, rig.baseline_m ? "" : "The file contains no pose.");
   } else {
@@ -29,9 +29,9 @@ void put_poses(Html& html, const ReportContents& contents) {
     if (placed.frames.size() > 1)
       html.element("div", {{"class", "figures"}}, [&] { put_rig(html, placed, calibration.poses_without_unit.empty()); });
     if (!placed.unplaced.empty()) {
-      html.element(
-          "p", {{"class", "warning"}},
-          "Nothing says where " + enumerated(placed.unplaced, "and") + " sits relative to " + placed.frames.front().name + ".");
+      html.element("p", {{"class", "warning"}},
+                   "The file contains no pose of " + enumerated(placed.unplaced, "and") + " relative to " +
+                       placed.frames.front().name + ".");
     }
     html.element("ul", {}, [&] {
       for (const PoseEdge& edge : rig.poses) {

@@ -83,7 +83,7 @@ void put_losses_tile(Html& html, const ConvertResult& outcome) {
     ++losses;
     lines.push_back(name_in_words(camera) + ": " + percent(missing) + " of the image");
   }
-  put_tile(html, "Lost on the way", losses == 0 ? "nothing" : counted(losses, "thing"), lines);
+  put_tile(html, "Lost in the conversion", losses == 0 ? "nothing" : counted(losses, "thing"), lines);
 }
 
 }  // namespace

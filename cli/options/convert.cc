@@ -44,11 +44,10 @@ void add_convert_options(Options& options, ConvertArguments& arguments) {
   add_model_option(
       options, {.help = "The camera model to write", .more = " (default: kept, else the best that the stock program reads)"},
       [&request](const std::string& word) { return take_model(word, request.model); });
-  add_output_option(
-      options,
-      "A path, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}, {format} (ends with a slash: a folder "
-      "for each; default: standard output)",
-      arguments.output);
+  add_output_option(options,
+                    "A path, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}, {format} (a slash at the "
+                    "end: one folder for each; default: standard output)",
+                    arguments.output);
   add_input_options(options, request.inputs);
   add_lens_circle_option(options, request.inputs);
   add_join_option(options, request.inputs);
@@ -61,32 +60,31 @@ void add_convert_options(Options& options, ConvertArguments& arguments) {
                arguments.request.as_arguments);
   options.group(OptionGroup::kOutput);
   options.exclusive_flags(
-      {{"--provenance", "Say in a comment where the file comes from even in an edited file (fresh ones say it anyway)",
+      {{"--provenance", "Write the comment about the file's origin into an edited file, too (fresh files always get it)",
         [&request] { request.provenance = ProvenanceComment::kInAllFiles; }},
        {"--no-provenance", "Leave out that comment", [&request] { request.provenance = ProvenanceComment::kNone; }}},
       "--provenance and --no-provenance contradict each other");
   options.group(OptionGroup::kProof);
   add_max_error_option(
       options,
-      "Fail (exit 1, nothing written) if the largest error of what was scored is more (the max of the report: "
-      "polished to where it really is, between the pixels, too), or if a part of the image (of the lens, if "
-      "--max-angle or --lens-circle says where it ends), more than a thousandth of it or what the fit had to give "
-      "up, has no pixel in the new model; with a covariance of the parameters also '0.2sigma', of the calibration's own pixels",
+      "Fail (exit 1, nothing written) if the largest error is above this, at or between pixels; or if a part of "
+      "the image (with --max-angle or --lens-circle: of the lens) has no pixel in the new model: more than "
+      "0.1 % of it, or a part that the fit had to give up. With a covariance of the parameters, the limit may "
+      "also be in standard deviations of the calibration's own pixels: '0.2sigma'",
       request.max_error_px, request.max_error_sigmas);
-  add_strict_option(options, "Fail if a fact of the input that the target's program uses cannot be carried", request.strict);
-  options.flag_pair(
-      "--verify",
-      "Try the written bytes with our re-implementation of the program's reader before they are put in place (the default)",
-      "--no-verify", "Do not try it", request.verify);
+  add_strict_option(options, "Fail if the output cannot hold something of the input that the target's program uses",
+                    request.strict);
+  options.flag_pair("--verify", "Test the output with fca-io's copy of the program's reader before saving it (the default)",
+                    "--no-verify", "Skip that test", request.verify);
   add_accept_option(options, request.accepted);
   options.group(OptionGroup::kOutput);
-  add_jobs_option(options, "Inputs, or cameras of one, worked on at the same time", request.jobs);
-  options.flag("--dry-run", "Report, write nothing", arguments.dry_run);
+  add_jobs_option(options, "Inputs, or cameras of one input, converted at the same time", request.jobs);
+  options.flag("--dry-run", "Print the report, write nothing", arguments.dry_run);
   add_force_option(options, "Replace existing files; their other hard links keep the old text", arguments.force);
   options.flag("--fsync", "Force the files to disk before they replace old ones (all of a batch at once)", arguments.fsync);
   add_json_option(options, arguments.json);
   add_json_lines_option(options, arguments.json_lines);
-  add_verbose_option(options, "The full report; -vv: and the parameters, as a table", arguments.verbosity);
+  add_verbose_option(options, "The full report; -vv: also the parameters, as a table", arguments.verbosity);
   add_quiet_option(options, "Errors only", arguments.quiet);
   options.footer(
       "Example:\n"
@@ -111,8 +109,8 @@ std::optional<std::string> problem_with(const ConvertArguments& arguments, bool 
   }
   if (request.as_arguments && (arguments.output.is_said() || !request.into.empty()))
     return "--print writes no file: leave out -o and --into";
-  if (many && !request.into.empty()) return "--into wants one input, or several that are one rig (--join)";
-  constexpr std::string_view kOneRig = "; parts of one calibration go after --with, cameras of one rig want --join";
+  if (many && !request.into.empty()) return "--into takes one input, or several that are one rig (--join)";
+  constexpr std::string_view kOneRig = "; give parts of one calibration after --with, and cameras of one rig with --join";
   if (many && arguments.output.is_said() && !arguments.output.holds_many())
     return "several inputs need -o FOLDER/ or a pattern such as -o 'out/{stem}.{format}.yaml'" + std::string(kOneRig);
   if (many && !arguments.output.is_said() && !arguments.json)

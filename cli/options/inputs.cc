@@ -29,7 +29,7 @@ std::optional<ImageRegion> parse_region(const std::string& text) {
 std::optional<std::string> take_region(const std::string& word, std::optional<ImageRegion>& target) {
   target = parse_region(word);
   if (target) return std::nullopt;
-  return "--crop wants X,Y,WIDTH,HEIGHT in whole pixels, such as 64,0,512,512; got '" + word + "'";
+  return "--crop takes X,Y,WIDTH,HEIGHT in whole pixels, such as 64,0,512,512; got '" + word + "'";
 }
 
 /// "1,0" or "cam1"
@@ -94,8 +94,7 @@ void add_input_options(Options& options, Inputs& inputs) {
   options.value("--from", "FORMAT",
                 "The input's format, one of fca-io formats, or a program's name (default: found by its content)",
                 [&inputs](const std::string& word) { return take_format("--from", word, inputs.format); });
-  options.each("--with", "FILE",
-               "A further part of the same calibration, e.g. imu.yaml or results-cam.txt; may be given several times",
+  options.each("--with", "FILE", "Another part of the same calibration, e.g. imu.yaml or results-cam.txt; repeatable",
                inputs.parts);
   options.value(
       "--camera", "LIST", "Only these cameras, in this order: 1,0 or cam1",
@@ -104,24 +103,25 @@ void add_input_options(Options& options, Inputs& inputs) {
         return std::nullopt;
       },
       OptionKey::kCameras);
-  options.value("--size", "WxH", "Image size of an input that does not contain one, or has a lens for each of several: 640x480",
+  options.value("--size", "WxH",
+                "Image size, for an input that contains none, or has a lens for each of several sizes: 640x480",
                 [&inputs](const std::string& word) { return take_size("--size", word, inputs.image_size); });
   options.value("--unit", "m|cm|mm",
                 "The unit of translations in files that do not contain it (OpenCV's, COLMAP's; default: metres)",
                 [&inputs](const std::string& word) { return take_unit(word, inputs.length_unit_m); });
-  options.value("--crop", "X,Y,W,H", "The images are this part of the calibrated ones; before --binning and --resize",
+  options.value("--crop", "X,Y,W,H", "The images are this part of the calibrated images; applies before --binning and --resize",
                 [&inputs](const std::string& word) { return take_region(word, inputs.change.crop); });
-  options.whole_number("--binning", "N", "N x N pixels of the calibrated images are one; before --resize",
+  options.whole_number("--binning", "N", "N x N pixels of the calibrated images became one pixel; applies before --resize",
                        [&inputs](int number) -> std::optional<std::string> {
                          inputs.change.binning = number;
                          return number < 1 ? std::optional("--binning wants a whole number from 1") : std::nullopt;
                        });
-  options.value("--resize", "WxH", "The images are the calibrated ones, scaled to this size",
+  options.value("--resize", "WxH", "The images are the calibrated images, scaled to this size",
                 [&inputs](const std::string& word) { return take_size("--resize", word, inputs.change.resize); });
-  options.value("--opencv-model", "pinhole|fisheye", "For OpenCV files whose four coefficients could be either",
+  options.value("--opencv-model", "pinhole|fisheye", "The lens model, for OpenCV files with four coefficients",
                 [&inputs](const std::string& word) { return take_opencv_model(word, inputs.opencv_model); });
   options.group(OptionGroup::kLens);
-  options.number("--max-angle", "DEG", "What counts as lens, in degrees from the axis (default: the whole image)",
+  options.number("--max-angle", "DEG", "Where the lens ends, in degrees from the axis (default: the whole image counts)",
                  [&inputs](double degrees) -> std::optional<std::string> {
                    if (!(degrees > 0.0 && degrees <= 180.0)) return "--max-angle wants degrees from the axis in (0, 180]";
                    inputs.max_angle_rad = degrees / kDegreesPerRadian;
@@ -132,15 +132,15 @@ void add_input_options(Options& options, Inputs& inputs) {
 void add_lens_circle_option(Options& options, Inputs& inputs) {
   options.group(OptionGroup::kLens);
   options.each("--lens-circle", "[CAMERA=]IMAGE",
-               "What counts as lens: the image circle in this image, taken by the camera (of several: "
-               "cam0=IMAGE); may be given several times, for dark scenes",
+               "Where the lens ends: at the image circle in this image of the camera (with several cameras: cam0=IMAGE); "
+               "repeatable, for dark scenes",
                [&inputs](const std::string& word) {
                  inputs.lens_circles.push_back(parse_camera_image(word));
                  return std::nullopt;
                });
   options.afterwards([&inputs]() -> std::optional<std::string> {
     if (inputs.lens_circles.empty() || !inputs.max_angle_rad) return std::nullopt;
-    return "--max-angle and --lens-circle both say where the lens ends; give one of them";
+    return "--max-angle and --lens-circle both set where the lens ends; give one of them";
   });
 }
 
@@ -151,7 +151,7 @@ void add_join_option(Options& options, Inputs& inputs) {
 
 void add_imu_rate_option(Options& options, Inputs& inputs) {
   options.group(OptionGroup::kReading);
-  options.number("--imu-rate", "HZ", "The IMU's rate, of an input that does not contain it (VINS-Fusion's configuration)",
+  options.number("--imu-rate", "HZ", "The IMU's rate, for an input that does not contain it (VINS-Fusion's configuration)",
                  [&inputs](double rate_hz) -> std::optional<std::string> {
                    constexpr double kSlowest = 0.1;
                    constexpr double kFastest = 1e6;
@@ -165,8 +165,8 @@ void add_imu_rate_option(Options& options, Inputs& inputs) {
 void add_imu_option(Options& options, Inputs& inputs) {
   add_imu_rate_option(options, inputs);
   options.value("--imu-noise", "KIND",
-                "What the input's IMU noise is: continuous (densities, the default), discrete (standard deviations of single "
-                "samples, converted with the rate), variance or discrete-variance (squares of those)",
+                "The kind of the input's IMU noise: continuous (densities, the default), discrete (standard deviations of "
+                "single samples, converted with the rate), variance or discrete-variance (squares of those)",
                 [&inputs](const std::string& word) { return take_noise(word, inputs.imu_noise); });
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 CLI::Validator decimal_number() {
   const auto problem = [](const std::string& value) {
-    return value.empty() || text::parse_real(value) ? std::string() : "'" + value + "' is no decimal number";
+    return value.empty() || text::parse_real(value) ? std::string() : "'" + value + "' is not a decimal number";
   };
   return {problem, ""};
 }

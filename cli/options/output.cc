@@ -51,7 +51,8 @@ void add_json_option(Options& options, bool& json) {
 
 void add_json_lines_option(Options& options, bool& json_lines) {
   options.group(OptionGroup::kOutput);
-  options.flag("--json-lines", "What --json prints for each input alone, a line each", json_lines, OptionKey::kJsonLines);
+  options.flag("--json-lines", "One line of JSON for each input, with the content of --json", json_lines,
+               OptionKey::kJsonLines);
 }
 
 void add_force_option(Options& options, const std::string& help, bool& force) {

@@ -28,7 +28,7 @@ void take_over(const ConvertRequest& target, RectifyRequest& request) {
 
 std::optional<std::string> take_view(RectifiedViewChoice view, RectifyRequest& request) {
   if (!std::holds_alternative<std::monostate>(request.view))
-    return "--pinhole and --alpha each say how wide the rectified images are; give one of them";
+    return "--pinhole and --alpha both set the width of the rectified view; give one of them";
   request.view = view;
   return std::nullopt;
 }
@@ -47,32 +47,32 @@ void add_view_options(Options& options, RectifyArguments& arguments) {
   RectifyRequest& request = arguments.request;
   options.group(OptionGroup::kTarget);
   options.number("--pinhole", "FULL_FOV_DEG",
-                 "Full field of view of the rectified images across the width, in degrees, up to 120",
+                 "Full field of view across the width of the rectified images, in degrees, up to 120",
                  [&request](double degrees) -> std::optional<std::string> {
                    if (!(degrees > 0.0 && degrees < 180.0))
                      return "--pinhole wants the full field of view in degrees, more than 0 and less than 180";
                    return take_view(RectifiedByField{degrees / kDegreesPerRadian}, request);
                  });
-  options.number(
-      "--alpha", "A",
-      "As OpenCV's: 0: the rectified images show only what the cameras see; 1: all that they see. (Default: what the "
-      "file contains; else 0, and for lenses of 120 deg and more as fine as the middle of the images)",
-      [&request](double alpha) -> std::optional<std::string> {
-        if (!(alpha >= 0.0 && alpha <= 1.0)) return "--alpha wants a number from 0 to 1";
-        return take_view(RectifiedByAlpha{alpha}, request);
-      });
+  options.number("--alpha", "A",
+                 "As in OpenCV: with 0, every rectified pixel is seen by its camera; with 1, the images show all that the "
+                 "cameras see. (Default: the file's rectification; else 0, or for lenses of 120 deg and more a view as fine as "
+                 "the middle of the images)",
+                 [&request](double alpha) -> std::optional<std::string> {
+                   if (!(alpha >= 0.0 && alpha <= 1.0)) return "--alpha wants a number from 0 to 1";
+                   return take_view(RectifiedByAlpha{alpha}, request);
+                 });
   options.value("--out-size", "WxH", "Size of the rectified images (default: the cameras')",
                 [&request](const std::string& word) { return take_size("--out-size", word, request.size); });
-  options.flag("--like-opencv", "Call OpenCV's stereoRectify or fisheye::stereoRectify, and say how far ours is from it",
+  options.flag("--like-opencv",
+               "Use OpenCV's stereoRectify or fisheye::stereoRectify, and print how far fca-io's own rectification is from it",
                arguments.like_opencv);
   options.flag("--maps",
                "Also write left_map.npy and right_map.npy: float32 of shape (height, width, 2), u and v in the camera's image, "
                "nan where it has none; for numpy.load and cv2.remap",
                arguments.maps);
   options.value("--map-format", "npy|float|fixed",
-                "Write maps, as npy (the default); or as map1 and map2 for cv::FileStorage and cv::remap, as float (CV_32FC1) "
-                "or fixed (CV_16SC2 "
-                "and CV_16UC1), in left_map.yml, above a million pixels left_map.yml.gz",
+                "Write maps as npy (the default), or as map1 and map2 for cv::FileStorage and cv::remap: float (CV_32FC1) or "
+                "fixed (CV_16SC2 and CV_16UC1), in left_map.yml, or left_map.yml.gz above a million pixels",
                 [&arguments](const std::string& word) { return take_map_format(word, arguments); });
   add_interpolation_option(options, arguments.interpolation);
 }
@@ -101,10 +101,10 @@ void add_rectify_options(Options& options, RectifyArguments& arguments) {
   RectifyRequest& request = arguments.request;
   options.one_positional("FILE", "Calibration file of the stereo pair", request.inputs.files);
   options.one_positional("LEFT", "Images of the left (upper) camera: a file, a folder or a pattern", arguments.left, false);
-  options.one_positional("RIGHT", "Those of the right (lower) one", arguments.right, false);
+  options.one_positional("RIGHT", "Images of the right (lower) camera", arguments.right, false);
   add_output_option(options,
-                    "A folder, which gets the settings, maps, and the images in left/ and right/ under their names; or a file, "
-                    "of settings alone (default: standard output)",
+                    "A folder for the settings, the maps, and the images (in left/ and right/, under their own names); or a "
+                    "file for settings alone (default: standard output)",
                     arguments.output);
   options.group(OptionGroup::kTarget);
   const auto target = std::make_shared<ConvertRequest>();
@@ -120,14 +120,12 @@ void add_rectify_options(Options& options, RectifyArguments& arguments) {
   add_input_options(options, request.inputs);
   add_lens_circle_option(options, request.inputs);
   add_join_option(options, request.inputs);
-  add_jobs_option(options, "Images at the same time", request.jobs);
+  add_jobs_option(options, "Images rectified at the same time", request.jobs);
   add_force_option(options, "Overwrite existing files", arguments.force);
   add_json_option(options, arguments.json);
   options.footer(
-      "Which camera is left is found by the geometry.\n\n"
-      "Example:\n"
-      "  fca-io rectify camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n"
-      "  fca-io rectify stereo.yml left/ right/ --maps -o rectified/\n");
+      "fca-io finds by the geometry which camera is the left one.\n\nExample:\n  fca-io rectify camchain.yaml --with imu.yaml "
+      "--to orbslam3 -o settings.yaml\n  fca-io rectify stereo.yml left/ right/ --maps -o rectified/\n");
   options.afterwards([&arguments] { return finish(arguments); });
 }
 

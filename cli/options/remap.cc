@@ -32,7 +32,7 @@ std::optional<std::string> take_turn(const std::string& word, std::optional<Turn
     good = angle && std::abs(*angle) <= kFullTurn;
     if (good) angles.at(i) = *angle / kDegreesPerRadian;
   }
-  if (!good) return "--rotate wants YAW,PITCH,ROLL in degrees, each from -360 to 360, such as 30,0,0; got '" + word + "'";
+  if (!good) return "--rotate takes YAW,PITCH,ROLL in degrees, each from -360 to 360, such as 30,0,0; got '" + word + "'";
   target = Turn{angles[0], angles[1], angles[2]};
   return std::nullopt;
 }
@@ -61,11 +61,10 @@ std::optional<std::string> finish_view(RemapRequest& request, TypedView& typed) 
   auto* const pinhole = std::get_if<PinholeView>(&request.view);
   if (pinhole != nullptr) pinhole->size = typed.size;
   if (typed.equirectangular) static_cast<void>(take_view(EquirectangularView{typed.size}, request, typed));
-  if (typed.count > 1)
-    return "--model, --like, --pinhole and --equirectangular each say what the image is to look like; give one of them";
+  if (typed.count > 1) return "--model, --like, --pinhole and --equirectangular each choose the new camera; give one of them";
   if (typed.count == 0 && !request.turn) {
-    return "say what the image is to look like: --pinhole FULL_FOV_DEG, --equirectangular, --model MODEL, --like FILE or "
-           "--rotate YAW,PITCH,ROLL";
+    return "choose the new camera: --pinhole FULL_FOV_DEG, --equirectangular, --model MODEL, --like FILE or --rotate "
+           "YAW,PITCH,ROLL";
   }
   if (typed.size && pinhole == nullptr && !typed.equirectangular) return "--out-size is for --pinhole and --equirectangular";
   return std::nullopt;
@@ -84,7 +83,7 @@ std::optional<std::string> problem_with_outputs(const RemapArguments& arguments)
   const OutputPlace& output = arguments.output;
   if (arguments.images.empty() && arguments.map.empty() && arguments.mask.empty())
     return "give images to remap, or --map or --mask to write those alone";
-  if (arguments.images.empty() && output.is_said()) return "-o is for images, and there is none";
+  if (arguments.images.empty() && output.is_said()) return "-o is for images, but you gave none";
   if (!arguments.images.empty() && !output.is_said())
     return "-o is missing: a file, a folder, or a pattern such as 'out/{stem}.png'";
   if (arguments.json && output.kind == OutputPlace::Kind::kStandardOutput) return "with --json the image needs a file: -o PATH";
@@ -115,11 +114,10 @@ void add_view_options(Options& options, RemapArguments& arguments, const std::sh
                      if (std::optional<std::string> problem = take_model(word, view.model)) return problem;
                      return take_view(view, request, *typed);
                    });
-  options.value(
-      "--like", "FILE",
-      "As the camera of this calibration file: its only one, or that of the same name; of a ROS camera_info the image that "
-      "image_proc rectifies by R and P",
-      [&request, typed](const std::string& word) { return take_view(CameraOfFile{word}, request, *typed); });
+  options.value("--like", "FILE",
+                "As the camera of this calibration file: its only camera, or the one with the same name; for a ROS "
+                "camera_info, as the image that image_proc rectifies with R and P",
+                [&request, typed](const std::string& word) { return take_view(CameraOfFile{word}, request, *typed); });
   options.value("--rotate", "YAW,PITCH,ROLL",
                 "Turn the camera, in degrees: first yaw (about y: positive to the right), then pitch (about its x: positive "
                 "up), then roll (about its z: positive clockwise)",
@@ -140,28 +138,29 @@ void add_remap_options(Options& options, RemapArguments& arguments) {
   options.positional("IMAGE", "Images of the calibrated size, folders of them or patterns ('left/*.png')", arguments.images,
                      false);
   add_output_option(
-      options, "An image file, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}; the ending says the format",
+      options,
+      "An image file, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}; the extension sets the format",
       arguments.output);
   const auto typed = std::make_shared<TypedView>();
   add_view_options(options, arguments, typed);
   options.group(OptionGroup::kOutput);
-  options.value("--mask", "PNG", "Also write an image that is 255 where the source sees, and 0 elsewhere", arguments.mask);
+  options.value("--mask", "PNG", "Also write an image that is 255 where the source camera sees, and 0 elsewhere",
+                arguments.mask);
   options.value("--map", "NPY",
                 "Also write the map: float32 of shape (height, width, 2), u and v in the source image, nan where it has "
                 "none; for numpy.load and cv2.remap",
                 arguments.map);
   add_input_options(options, request.inputs);
   add_lens_circle_option(options, request.inputs);
-  add_jobs_option(options, "Images at the same time", request.jobs);
+  add_jobs_option(options, "Images remapped at the same time", request.jobs);
   add_force_option(options, "Overwrite existing files", arguments.force);
   add_json_option(options, arguments.json);
   options.footer(
-      "Axes: x right, y down, z forward; R = Ry(yaw) Rx(pitch) Rz(roll), right-handed, takes the new camera's rays to the old\n"
-      "one's. Grey, colour, 16 bits and opacity stay as they are. What the source does not see becomes 0.\n\n"
-      "Example:\n"
-      "  fca-io remap camera.yaml image.png --pinhole 100 -o undistorted.png\n"
-      "  fca-io remap camera.yaml 'left/*.png' --pinhole 90 --rotate 45,0,0 -o right/\n"
-      "  fca-io remap camchain.yaml --camera cam0 --model ds --map map.npy --mask m.png\n");
+      "Axes: x right, y down, z forward; R = Ry(yaw) Rx(pitch) Rz(roll), right-handed, takes the new camera's rays to the "
+      "old\none's. Grey, colour, 16 bits and opacity stay as they are. Pixels that the source does not see become "
+      "0.\n\nExample:\n  fca-io remap camera.yaml image.png --pinhole 100 -o undistorted.png\n  fca-io remap camera.yaml "
+      "'left/*.png' --pinhole 90 --rotate 45,0,0 -o right/\n  fca-io remap camchain.yaml --camera cam0 --model ds --map "
+      "map.npy --mask m.png\n");
   options.afterwards([&request, typed] { return finish_view(request, *typed); });
   options.afterwards([&arguments] { return problem_with_extensions(arguments); });
   options.afterwards([&arguments] { return problem_with_outputs(arguments); });

@@ -21,7 +21,7 @@ std::optional<std::string> take_models(const std::string& word, ReportRequest& r
 
 std::optional<std::string> usage_error(const ConvertRequest& conversion) {
   if (conversion.inputs.files.size() > 1 && !conversion.inputs.join)
-    return "a page is about one calibration; parts of it go after --with, cameras of one rig want --join";
+    return "a page shows one calibration; give its parts after --with, and cameras of one rig with --join";
   if (const std::optional<std::string> error = target_without_file(conversion)) return error;
   return problem_with(conversion);
 }
@@ -46,11 +46,10 @@ void add_report_options(Options& options, ReportArguments& arguments) {
   options.group(OptionGroup::kOutput);
   add_force_option(options, "Overwrite an existing page", arguments.force);
   options.footer(
-      "The page needs nothing but itself: no network, no scripts. It is written even where convert would refuse to write\n"
-      "the file (exit 1), and says so; of what cannot be converted at all (exit 2) there is none.\n\n"
-      "Example:\n"
-      "  fca-io report camchain.yaml --with imu.yaml --to orbslam3 -o page.html\n"
-      "  fca-io report camchain.yaml --model all -o models.html\n");
+      "The page is one file, without scripts, and needs no network. report writes it even if convert would refuse to write "
+      "the\nfile (exit 1), and the page shows that. If the input cannot be converted at all (exit 2), there is no "
+      "page.\n\nExample:\n  fca-io report camchain.yaml --with imu.yaml --to orbslam3 -o page.html\n  fca-io report "
+      "camchain.yaml --model all -o models.html\n");
   options.afterwards([&conversion] { return usage_error(conversion); });
 }
 

@@ -16,7 +16,7 @@ std::optional<std::string> usage_error(const ReadRequest& request) {
   std::vector<std::string> changes = given_changes(inputs);
   if (inputs.length_unit_m) changes.emplace_back("--unit");
   if (request.program == nullptr || changes.empty()) return std::nullopt;
-  return "--for is about a file as it stands: " + text::enumerated(changes, "and") + " has no use with it";
+  return "--for reads a file unchanged: " + text::enumerated(changes, "and") + " has no effect with it";
 }
 
 }  // namespace
@@ -28,8 +28,8 @@ void add_show_options(Options& options, ShowArguments& arguments) {
   add_join_option(options, request.inputs);
   add_imu_option(options, request.inputs);
   add_program_option(options,
-                     "How this program reads the file: whether it loads it, which cameras it sees, how far they are from "
-                     "what the file means: " +
+                     "How this program reads the file: whether it loads the file, which cameras it sees, and how far their "
+                     "pixels are from what the file means: " +
                          text::enumerated(program_ids(), "or"),
                      request.program);
   options.group(OptionGroup::kOutput);

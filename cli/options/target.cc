@@ -40,10 +40,10 @@ std::optional<std::string> take_layout(const std::string& word, const Format& fo
 std::optional<std::string> take_setting(const std::string& word, std::vector<KeyValue>& settings) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos || equals == 0)
-    return "--set wants KEY=VALUE, such as Viewer.PointSize=3.0; got '" + word + "'";
+    return "--set takes KEY=VALUE, such as Viewer.PointSize=3.0; got '" + word + "'";
   const std::string key = word.substr(0, equals);
   if (std::ranges::find(settings, key, &KeyValue::key) != settings.end())
-    return "--set " + key + " comes twice; one value can stand there";
+    return "--set " + key + " is given twice; a key has one value";
   settings.push_back({key, word.substr(equals + 1)});
   return std::nullopt;
 }
@@ -52,7 +52,7 @@ std::optional<std::string> take_acceptance(const std::string& word, std::vector<
   TypedAcceptance typed = parse_acceptance(word);
   if (!typed.acceptance) return unknown_code(typed.id, "the verdict names them");
   if (!may_be_accepted(typed.acceptance->code))
-    return "--accept " + typed.id + ": that is a limit of your own; leave out the option that sets it";
+    return "--accept " + typed.id + ": you set that limit yourself; leave out its option";
   accepted.push_back(*std::move(typed.acceptance));
   return std::nullopt;
 }
@@ -85,20 +85,20 @@ std::optional<std::string> take_degree(const std::string& word, std::optional<in
     return target && model.least_degree > 0 && *target >= model.least_degree && *target <= model.most_degree;
   });
   if (word != "auto" && !is_known)
-    return "--degree wants auto, or a degree that a model has (" + degrees_in_words(": ") + "), not '" + word + "'";
+    return "--degree takes auto, or a degree that a model has (" + degrees_in_words(": ") + "), not '" + word + "'";
   return std::nullopt;
 }
 
 /// "fx=fy", "k3=0" or "cx".
 std::optional<std::string> take_fixed(const std::string& word, FixedParameters& target) {
-  constexpr std::string_view kWants = "--fix wants parameters such as k3=0, cx (as in the input) or fx=fy, not '";
+  constexpr std::string_view kWants = "--fix takes parameters such as k3=0, cx (as in the input) or fx=fy, not '";
   const std::size_t equals = word.find('=');
   const std::string name = word.substr(0, equals);
   const std::optional<ParameterId> parameter = ParameterId::find(name);
   if (!parameter) return std::string(kWants) + word + "': no model has a parameter '" + name + "'";
   const auto has_name = [&name](const auto& other) { return other.name() == name; };
   if (std::ranges::any_of(target.kept, has_name) || std::ranges::any_of(target.at, has_name, &ParameterRange::parameter))
-    return "--fix " + name + " comes twice";
+    return "--fix " + name + " is given twice";
   if (equals == std::string::npos) {
     target.kept.push_back(*parameter);
     return std::nullopt;
@@ -148,24 +148,26 @@ void add_target_options(Options& options, ConvertRequest& request) {
     options.value("--" + std::string(format.id) + "-layout", "LAYOUT", text::text_of({format.about_layouts, {}}),
                   [&request, &format](const std::string& word) { return take_layout(word, format, request.layout); });
   }
-  options.value("--into", "BASE", "Write what the input contains into this file's text; its format is --to", request.into);
+  options.value("--into", "BASE", "Write the input's calibration into the text of this file, in this file's format",
+                request.into);
   options.value("--objective", "rms|max",
-                "What a fit makes small: rms, or max, the error of the worst pixel (the report says what that costs in rms)",
+                "What a fit minimises: rms, or max, the error of the worst pixel (the report shows what that costs in rms)",
                 [&request](const std::string& word) { return take_objective(word, request.objective); });
   options.value("--weight", "pixel|angle|IMAGE",
-                "What counts how much in the rms that a fit makes small: each pixel alike (default), each direction alike (by "
-                "solid angle), or each pixel by the grey of an image of the camera's size (white: most, black: nothing)",
+                "The weights of the rms that a fit minimises: each pixel alike (default), each direction alike (by solid "
+                "angle), or each pixel by the grey of an image of the camera's size (white: most, black: nothing)",
                 [&request](const std::string& word) -> std::optional<std::string> {
-                  if (word.empty()) return "--weight wants pixel, angle or an image";
+                  if (word.empty()) return "--weight takes pixel, angle or an image";
                   take_weight(word, request);
                   return std::nullopt;
                 });
-  options.value("--degree", "N|auto",
-                "Of " + degrees_in_words("'s polynomial, ") + " (default: auto, the lowest that is nearly as good as any)",
-                [&request](const std::string& word) { return take_degree(word, request.degree); });
+  options.value(
+      "--degree", "N|auto",
+      "The degree of " + degrees_in_words("'s polynomial, ") + " (default: auto, the lowest that is nearly as good as any)",
+      [&request](const std::string& word) { return take_degree(word, request.degree); });
   options.each("--fix", "NAME[=VALUE],...",
-               "Parameters of the written model that a fit leaves alone: at a number (k3=0), as the input has them (cx,cy), or "
-               "fx=fy; repeatable",
+               "Parameters of the written model that a fit holds: at a number (k3=0), at the input's value (cx,cy), or fx=fy; "
+               "repeatable",
                [&request](const std::string& words) -> std::optional<std::string> {
                  for (const std::string& word : split(words)) {
                    if (const std::optional<std::string> error = take_fixed(word, request.fixed)) return error;
@@ -173,8 +175,8 @@ void add_target_options(Options& options, ConvertRequest& request) {
                  return std::nullopt;
                });
   options.flag("--absorb-rotation",
-               "Fit a turn of each camera with its model and write it into its poses: what a model without tangential terms "
-               "cannot hold is mostly a tilt",
+               "Also fit a turn of each camera, and write it into the poses: most of what a model without tangential terms "
+               "cannot hold is a tilt of the lens",
                request.absorb_turn);
   options.flag(
       "--pair",
@@ -183,7 +185,8 @@ void add_target_options(Options& options, ConvertRequest& request) {
       request.fit_pair);
   add_every_pixel_option(options, request.every_pixel);
   options.group(OptionGroup::kTarget);
-  options.flag("--rewrite", "Write a fresh file even where the input's own text could be edited; comments go", request.rewrite);
+  options.flag("--rewrite", "Write a fresh file, even if the input's own text could be edited; comments are lost",
+               request.rewrite);
   options.flag("--anew", "The older name of --rewrite", request.rewrite);
   options.hide({"--anew"});
   options.number("--fps", "HZ", "Frame rate, for formats that have it", [&request](double rate) -> std::optional<std::string> {
@@ -197,9 +200,10 @@ void add_target_options(Options& options, ConvertRequest& request) {
                    request.baseline_m = metres;
                    return std::nullopt;
                  });
-  options.each("--set", "KEY=VALUE",
-               "A value of the written file that no calibration contains; KEY may be nested (cam0/rostopic); repeatable",
-               [&request](const std::string& word) { return take_setting(word, request.settings); });
+  options.each(
+      "--set", "KEY=VALUE",
+      "Set a value of the written file that is not part of a calibration; KEY may be nested (cam0/rostopic); repeatable",
+      [&request](const std::string& word) { return take_setting(word, request.settings); });
 }
 
 void add_accept_option(Options& options, std::vector<Acceptance>& accepted) {
@@ -210,13 +214,13 @@ void add_accept_option(Options& options, std::vector<Acceptance>& accepted) {
 
 std::optional<std::string> problem_with(const ConvertRequest& request) {
   if (request.absorb_turn && !request.into.empty()) {
-    return "--absorb-rotation changes the camera's frame, and the poses of BASE would be those of the old one: leave out one "
-           "of both";
+    return "--absorb-rotation changes the camera's frame, but the poses of BASE are for the old frame: leave out one of the "
+           "two";
   }
   if (request.absorb_turn && request.objective != Objective::kRms)
-    return "--absorb-rotation is fitted for the rms only; leave out --objective max";
+    return "--absorb-rotation works only for the rms; leave out --objective max";
   if (request.weight != WeightKind::kPixel && request.objective != Objective::kRms)
-    return "--weight is about the rms, the largest error has no weight: leave out --objective max";
+    return "--weight works only for the rms; leave out --objective max";
   const Message problem = request.to != nullptr ? without_use(request, *request.to) : Message{};
   return problem.is_said() ? std::optional(text::text_of(problem, with_options)) : std::nullopt;
 }
@@ -232,7 +236,7 @@ std::optional<std::string> target_without_file(const ConvertRequest& request) {
        {Given{request.mode.has_value(), "--sensor"}, Given{!layout.empty(), layout},
         Given{request.frame_rate_hz.has_value(), "--fps"}, Given{request.baseline_m.has_value(), "--baseline"},
         Given{!request.settings.empty(), "--set"}, Given{request.rewrite, "--rewrite"}}) {
-    if (each.given) return each.option + " says something about a written file; say with --to FORMAT which one";
+    if (each.given) return each.option + " is about the written file; give its format with --to FORMAT";
   }
   return std::nullopt;
 }

@@ -34,7 +34,7 @@ Table table_of(std::span<const double> rays, std::span<const double> pixels, con
 Table table_of(const Array& rays, const Array& pixels, const std::optional<double>& max_angle_rad) {
   const std::span<const double> each_ray = rows_of(rays, 3, "rays");
   const std::span<const double> each_pixel = rows_of(pixels, 2, "pixels");
-  if (each_ray.size() / 3 != each_pixel.size() / 2) raise_value_error("as many rays as pixels are wanted");
+  if (each_ray.size() / 3 != each_pixel.size() / 2) raise_value_error("there must be as many rays as pixels");
   return table_of(each_ray, each_pixel, max_angle_rad);
 }
 

@@ -211,7 +211,7 @@ to                  settings for: 'orbslam3', 'orbslam2', 'ros' or 'opencv'
 alpha               as OpenCV's: 0: only what the cameras see; 1: all that they see
 pinhole             in its place the full field of view across the width, degrees, up to 120
 out_size            (width, height) of the rectified images; the cameras'
-maps                True: the maps are wanted, too
+maps                True: also compute the maps
 
     left, right = fca_io.rectify(rig, maps=True).maps
     cv2.remap(image, *left, cv2.INTER_LINEAR)

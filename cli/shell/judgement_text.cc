@@ -13,7 +13,7 @@ namespace fca::cli {
 
 std::string circle_in_words(const LensCircle& circle) {
   return text::text_of(circle.why, with_options) + ": " + place_in_words(circle) + ", " + percent(circle.rim_share) +
-         " of its rim in the image seen, rms " + pixels(circle.rms_px) + " px";
+         " of its rim in the image found, rms " + pixels(circle.rms_px) + " px";
 }
 
 std::string domain_in_words(const Coverage& coverage) {
@@ -24,7 +24,7 @@ std::string domain_in_words(const Coverage& coverage) {
   return "up to " + text::format_short(coverage.max_angle_deg, 4) + " deg from the axis: " + first + circle_in_words(circle);
 }
 
-std::string domain_text(const Coverage& coverage) { return "  domain: " + domain_in_words(coverage) + "\n"; }
+std::string domain_text(const Coverage& coverage) { return "  view:   " + domain_in_words(coverage) + "\n"; }
 
 constexpr double kNoticeableShare = 0.0005;  // less is 0.0 %
 

@@ -63,8 +63,8 @@ std::vector<std::string> misreadings(const ProofResult& proof, bool lens_given) 
   const std::string of_image = lens_given ? " of the lens" : " of the image";
   std::vector<std::string> sentences;
   if (proof.unanswered_share > kNoticeable) {
-    sentences.push_back("it has no right pixel for " + percent(proof.unanswered_share) + of_image +
-                        ", whose rays lie beyond what it can project");
+    sentences.push_back("it gives no right pixel for " + percent(proof.unanswered_share) + of_image +
+                        ": it cannot project rays so far from the axis");
   }
   if (proof.wrong_ray_share > kNoticeable) {
     sentences.push_back("it gives " + percent(proof.wrong_ray_share) + of_image + " wrong rays, " + pixels(proof.wrong_ray_px) +

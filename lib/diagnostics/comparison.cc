@@ -26,7 +26,7 @@ std::span<const CodeInfo> comparison_codes() {
   static constexpr std::array kRows = {
       error(Code::kResolutionDiffers, "resolution-differs",
             "{0} has images of {1} x {2} px in the reference and of {3} x {4} px in the other{5}",
-            "say how the reference's images become the other's: by a crop, by binning, or resized to {3} x {4} px"),
+            "give the change from the reference's images to the other's: a crop, a binning, or a resize to {3} x {4} px"),
       clause(Code::kSidesExchanged, ": width and height are exchanged"),
       clause(Code::kNotScaled, ", and neither is the other scaled"),
       error(Code::kNothingInCommon, "nothing-to-compare",
@@ -66,14 +66,14 @@ std::span<const CodeInfo> comparison_codes() {
             "{0} has its principal point half a pixel too far to the lower right: it counts from the corner of the first "
             "pixel, not from its centre"),
       error(Code::kHalfPixelTooNear, kHalf,
-            "{0} has its principal point half a pixel too far to the upper left: half a pixel was taken off that belongs to "
-            "it"),
+            "{0} has its principal point half a pixel too far to the upper left: half a pixel was subtracted once too often"),
       error(Code::kOnePixelTooFar, kOne,
             "{0} has its principal point one pixel too far to the lower right: it counts from 1, as MATLAB does, not from 0"),
       error(Code::kOnePixelTooNear, kOne,
             "{0} has its principal point one pixel too far to the upper left: 1 was subtracted once too often"),
       error(Code::kScaledWithoutHalfPixel, "scaled-without-half-pixel",
-            "{0} was scaled from the larger or smaller image as cx s; pixels are areas: (cx + 0.5) s - 0.5"),
+            "{0} was scaled from the larger or smaller image as cx s; the right formula is (cx + 0.5) s - 0.5, because pixels "
+            "are areas"),
       error(Code::kCentreMirrored, "centre-mirrored",
             "{0} has {1} on the other side of the image's middle: its offset from there has the other sign"),
       error(Code::kCentreSwapped, "centre-swapped", "{0} has row and column of its principal point exchanged"),
@@ -83,7 +83,7 @@ std::span<const CodeInfo> comparison_codes() {
       error(Code::kParametersExchanged, kSwapped, "{0} has {1} and {2} exchanged"),
       error(Code::kCoefficientsInOrder, kSwapped, "{0} has its coefficients in the order {1} under the names {2}"),
       error(Code::kUnderAnotherName, "wrong-model", "{0} holds the numbers of {1} under the name of {2}"),
-      error(Code::kDistortionLeftOut, "distortion-left-out", "{0} has the numbers of the reference, but for its distortion"),
+      error(Code::kDistortionLeftOut, "distortion-left-out", "{0} has the numbers of the reference, without its distortion"),
 
       // In numbers.
       error(Code::kTimeOffsetOfOtherSign, "time-offset-sign",

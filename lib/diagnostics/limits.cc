@@ -40,13 +40,13 @@ std::span<const CodeInfo> limit_codes() {
       clause(Code::kAccelerometerNoise, "the accelerometer's noise density"),
       clause(Code::kAccelerometerWalk, "the accelerometer's random walk"),
       error(Code::kImageSizeInvalid, kImageSize, "{0}: {1}"),
-      error(Code::kImageOfNoSize, kImageSize, "an image of {0} x {1} pixels cannot be"),
-      error(Code::kImageTooLarge, kImageSize, "an image of {0} x {1} pixels cannot be: no image is larger than {2} x {2}"),
+      error(Code::kImageOfNoSize, kImageSize, "an image cannot have {0} x {1} pixels"),
+      error(Code::kImageTooLarge, kImageSize, "an image cannot have {0} x {1} pixels: no image is larger than {2} x {2}"),
       error(Code::kTranslationTooLong, kRange, "a translation of {0:.3} m; no rig is longer than {1:.0f} m"),
       error(Code::kBaselineImpossible, kRange, "a baseline of {0:.3} m; it must be greater than 0 and less than {1:.0f} m"),
       error(Code::kTimeOffsetImpossible, kRange, "a time offset of {0:.3} s; it must lie within {1:.0f} s"),
-      error(Code::kRotationElementTooLarge, kNoRotation, "its 3 x 3 part is not a rotation, an element is {0:.3}"),
-      error(Code::kNotOrthonormal, kNoRotation, "its 3 x 3 part is not a rotation, R^T R differs from the identity by {0:.3}"),
+      error(Code::kRotationElementTooLarge, kNoRotation, "its 3 x 3 part is not a rotation: an element is {0:.3}"),
+      error(Code::kNotOrthonormal, kNoRotation, "its 3 x 3 part is not a rotation: R^T R differs from the identity by {0:.3}"),
   };
   return kRows;
 }

@@ -9,7 +9,7 @@
 namespace fca::diagnostics {
 
 /// Of every loss without a better one.
-inline constexpr std::string_view kKeepTheInput = "keep the input, which says it";
+inline constexpr std::string_view kKeepTheInput = "keep the input, which contains it";
 
 constexpr CodeInfo error(Code code, std::string_view id, std::string_view text, std::string_view fix = {}) {
   return {.code = code, .id = id, .severity = Severity::kError, .about = About::kMeaning, .text = text, .fix = fix};
@@ -41,7 +41,8 @@ constexpr CodeInfo loss(Code code, std::string_view id, std::string_view what, s
 }
 
 /// Of a key that a program misses.
-inline constexpr std::string_view kAddTheKey = "add it, as the calibration's result or the program's example file has it";
+inline constexpr std::string_view kAddTheKey =
+    "add it: copy it from the calibration's result or from the program's example file";
 
 /// Why a program does not run with a file. `fix`: what to do where no other spelling of a value helps.
 constexpr CodeInfo refusal(Code code, std::string_view text, std::string_view fix = {}) {

@@ -77,8 +77,11 @@ TEST(LostPoses, TheReasonSaysWhatIsKept) {
   const Rig rig = rig_with({"FV", "RV"}, {{"vehicle", "FV", T_vehicle_front()}, {"vehicle", "RV", T_vehicle_rear()}});
   Diagnostics diagnostics;
   const Written written = write_calibration(*find_format("kalibr"), nullptr, rig, {}, diagnostics).value();
-  EXPECT_EQ(why_of(written.losses.back()),
-            "what is written for Kalibr does not say it; how FV and RV sit to each other is kept");
+  const Loss& loss = written.losses.back();
+  EXPECT_EQ(loss.kind, Code::kPoseDropped);
+  const Message group = {Code::kPosesOfGroup, {std::vector<std::string>{"FV", "RV"}}};
+  const Message kept = {Code::kPosesOfGroupsKept, {std::vector<Message>{group}}};
+  EXPECT_EQ(loss.values.at(2), Argument(std::vector<Message>{kept}));
 }
 
 TEST(LostPoses, OfAnImu) {

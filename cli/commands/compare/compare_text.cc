@@ -52,7 +52,7 @@ std::string turned_text(const CameraComparison& camera) {
   const bool same = camera.counted().same_to_deg >= camera.counted().judgement.coverage.max_angle_deg;
   const CameraDifference& turned = *camera.counted_rotated();
   if (is_larger_than(turned.judgement, camera.size)) return "";
-  if (!turning_helps(camera)) return same ? "" : "  turned: no rotation brings the two nearer\n";
+  if (!turning_helps(camera)) return same ? "" : "  turned: no rotation reduces the difference\n";
   std::string text = "  turned: by " + rotation_in_words(*camera.rotated) + "\n          with that undone: rms " +
                      pixels(turned.judgement.error.rms, camera.size) + " px (the smallest), max " +
                      pixels(turned.judgement.error.max, camera.size) + " px; " + same_in_words(turned) + "\n";
@@ -61,7 +61,7 @@ std::string turned_text(const CameraComparison& camera) {
     text += "          everywhere: rms " + pixels(everywhere.rms, camera.size) + " px, max " +
             pixels(everywhere.max, camera.size) + " px\n";
   }
-  return text + (camera.turn_cancels ? "          its poses turn back: lens and poses together see the same\n" : "");
+  return text + (camera.turn_cancels ? "          its poses turn back by as much: the two cancel\n" : "");
 }
 
 std::vector<BandColumn> further_columns(const CameraComparison& camera) {
@@ -141,7 +141,7 @@ std::string compare_text(const ReferenceFile& reference, const ComparedFile& com
   for (const CameraComparison& camera : comparison.cameras) text += camera_text(camera, with_bands);
   text += pair_text(compared);
   if (inverses_differ(compared)) {
-    text += "\ninverse polynomials\n  world2cam, which goes by them, images the same rays up to " +
+    text += "\ninverse polynomials\n  world2cam uses them: its pixels of the same rays are up to " +
             pixels(*compared.inverse_px) + " px apart\n";
   }
   text += "\n";

@@ -66,7 +66,8 @@ std::string cell(const std::vector<std::string>& words) { return words.empty() ?
 }  // namespace
 
 std::string ledger_text(std::span<const LedgerRow> rows) {
-  std::string text = "| from | to | exact | fitted | dropped, and said | defaulted, and said |\n|---|---|---|---|---|---|\n";
+  std::string text =
+      "| from | to | exact | fitted | dropped, with a message | defaulted, with a message |\n|---|---|---|---|---|---|\n";
   for (const LedgerRow& row : rows) {
     const Cells cells = cells_of(row);
     text += "| `" + std::string(row.from->id) + "` | `" + std::string(row.to->id) + "` | " + cell(cells.exact) + " | " +

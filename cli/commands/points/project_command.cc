@@ -61,8 +61,9 @@ ExitCode map_lines(const Mapping<In, Out>& mapping, bool as_json, Console& conso
     const std::optional<std::array<double, In>> numbers = parse_numbers<In>(line);
     if (!numbers) {
       constexpr std::size_t kLongestQuote = 60;
-      return console.refuse(ExitCode::kBadInput, "standard input, line " + std::to_string(number) + ": " + std::to_string(In) +
-                                                     " numbers are wanted, got '" + line.substr(0, kLongestQuote) + "'");
+      return console.refuse(ExitCode::kBadInput, "standard input, line " + std::to_string(number) + " must have " +
+                                                     std::to_string(In) + " numbers, but is '" + line.substr(0, kLongestQuote) +
+                                                     "'");
     }
     bool finite = true;
     for (const double v : *numbers) finite = finite && std::isfinite(v);

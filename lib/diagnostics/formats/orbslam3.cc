@@ -10,8 +10,8 @@ namespace fca::diagnostics {
 namespace {
 
 /// {0}: Camera.type; {1}, {2}: a type that the style knows, and clauses of the others.
-constexpr std::string_view kUnknownType = "Camera.type '{0}' is none of {1}{2}, which settings of this style know";
-constexpr std::string_view kIsItComplete = "is the file complete?";
+constexpr std::string_view kUnknownType = "settings of this style do not know Camera.type '{0}', only {1}{2}";
+constexpr std::string_view kIsItComplete = "check whether the file is complete";
 constexpr std::string_view kSetAnother = "set the key to another value";
 constexpr std::string_view kFileOfItsOwn = "write it to a file of its own";
 
@@ -32,9 +32,9 @@ std::span<const CodeInfo> orbslam3_codes() {
             "Camera.model '{0}' is a model of stella_vslam; of its settings only 'perspective' is read"),
       error(Code::kOrbslam3FisheyeWithoutType, "unknown-model",
             "k1 to k4 without p1 and p2 are a fisheye's, and there is no Camera.type",
-            "Camera.type: \"KannalaBrandt8\", if they are Kannala-Brandt's"),
+            "if they are Kannala-Brandt's, write  Camera.type: \"KannalaBrandt8\""),
       error(Code::kOrbslam3TypeMissing, "missing-key", "there is no Camera.type",
-            "one of \"PinHole\", \"Rectified\", \"KannalaBrandt8\""),
+            "write \"PinHole\", \"Rectified\" or \"KannalaBrandt8\""),
       error(Code::kOrbslam3TypeUnknown, "unknown-model", kUnknownType),
       error(Code::kOrbslam3TypeOfForks, "unknown-model", kUnknownType,
             "forks read this type from files with Camera.fx (not Camera1.fx) and without File.version"),
@@ -46,21 +46,21 @@ std::span<const CodeInfo> orbslam3_codes() {
               "no Camera.type, so this is read as ORB-SLAM2's radial-tangential model; but k1 and k2 look like EUCM's alpha "
               "and beta, as fisheye-ORB-SLAM and slam_no_opt store them",
               "if so, add the line  Camera.type: \"EUCM\""),
-      warning(Code::kOrbslam3PoseMissing, "pose-missing", "there is a second camera but no {0}"),
+      warning(Code::kOrbslam3PoseMissing, "pose-missing", "there is a second camera, but no {0}"),
       error(Code::kOrbslam3PoseOfOtherSize, "wrong-length", "{0} must be 4 x 4 (or 3 x 4)"),
       error(Code::kOrbslam3RightLensOfOtherSize, "wrong-length", "RIGHT.K must be 3 x 3 and RIGHT.D hold at least 4 numbers"),
       error(Code::kOrbslam3RightPoseOfOtherSize, "wrong-length", "CAMERA.R must be 3 x 3 and CAMERA.T hold 3 numbers"),
 
       // What cannot be written.
-      error(Code::kOrbslam3NoCamera, "no-camera", "ORB-SLAM3 settings need a camera and the input has none"),
+      error(Code::kOrbslam3NoCamera, "no-camera", "ORB-SLAM3 settings need a camera, but the input has none"),
       error(Code::kOrbslam3ModelNotStorable, "model-not-storable", "{0}: these settings cannot hold {1}",
-            "another model: ORB-SLAM2's hold radtan, slam_no_opt's eucm"),
+            "take another model: ORB-SLAM2's settings hold radtan, slam_no_opt's eucm"),
       error(Code::kOrbslam3SizeMissing, "image-size-missing",
-            "{0}: the settings demand Camera.width and Camera.height and the input has none", "give it"),
+            "{0}: the settings need Camera.width and Camera.height, but the input has none", "give the image size"),
       error(Code::kOrbslam3SizesDiffer, "image-sizes-differ",
-            "the settings have one image size for both cameras, and theirs differ"),
+            "the settings have one image size for both cameras, but theirs differ"),
       error(Code::kOrbslam3TypesDiffer, "models-differ",
-            "the settings have one Camera.type for both cameras, and theirs differ", "convert both to one model"),
+            "the settings have one Camera.type for both cameras, but theirs differ", "convert both to one model"),
       error(Code::kOrbslam3FrameRateNotStorable, "rate-not-storable",
             "a frame rate of {0} Hz cannot be stored: Camera.fps is a positive int"),
       error(Code::kOrbslam3ImuRateNotStorable, "rate-not-storable", "an IMU rate of {0} Hz cannot be stored in IMU.Frequency"),
@@ -71,35 +71,35 @@ std::span<const CodeInfo> orbslam3_codes() {
       // Stereo pairs.
       error(Code::kOrbslam3PairNotStorable, "pose-not-storable",
             "settings of pinhole cameras in the style before ORB-SLAM3 V1.0 are for rectified pairs: they have no place for "
-            "the pose between unrectified cameras nor for a second camera's own intrinsics",
+            "the pose between unrectified cameras, nor for a second camera's own intrinsics",
             "the layout v1 has both; the mode mono takes the first camera alone; or rectify the images"),
       // An error in a file for ORB-SLAM; the other programs that it is converted to do not mind.
       about_reader(error(Code::kOrbslam3PairVertical, "stereo-vertical",
                          "{0} sits {1:.3} cm {2} {3}, and ORB-SLAM3 looks for a pair's matches along the rows only",
                          "turn both images by 90 deg and calibrate those; the mode mono takes one camera")),
       warning(Code::kOrbslam3PairNotRectified, "not-rectified",
-              "one camera and a baseline stand for a rectified pair, and {0} has distortion: matches are looked for along the "
-              "rows of images that are not rectified",
+              "one camera with a baseline means a rectified pair, but {0} has distortion: ORB-SLAM3 would look for matches "
+              "along the rows of images that are not rectified",
               "give the camera of the rectified images (P1 of cv::stereoRectify); the mode mono leaves the pair out"),
       warning(Code::kOrbslam3PairNotSynchronous, "pair-not-synchronous",
-              "the time offsets of {0} and {1} differ by {2:.3} ms, and ORB-SLAM3 takes the two images of a pair for taken at "
-              "one moment",
-              "are they of one exposure? Then both have one offset"),
+              "the time offsets of {0} and {1} differ by {2:.3} ms, but ORB-SLAM3 assumes that a pair's two images are taken "
+              "at the same moment",
+              "if both images have one exposure, give both cameras one offset"),
       warning(Code::kOrbslam3NothingShared, "nothing-shared",
-              "{0} and {1} see nothing in common, and ORB-SLAM3 matches a pair only where both see",
-              "is their pose right? The mode mono takes one camera"),
+              "{0} and {1} see nothing in common, but ORB-SLAM3 matches a pair only where both see",
+              "check their pose; the mode mono takes one camera"),
 
       // Files that are written into.
       warning(Code::kOrbslam3OtherBaseline, "baseline-contradicts",
-              "Camera.bf of the base is {0}, and its poses make it {1:.4}: what is written follows the poses",
-              "which of the two is right?"),
+              "Camera.bf of the base is {0}, but its poses give {1:.4}: the written file follows the poses",
+              "check which of the two is right"),
       warning(Code::kOrbslam3PoorerMode, "poorer-mode",
-              "the base is for {0}, and with the input's cameras it serves {1} only; it lacks {2}"),
+              "the base is for {0}, but with the input's cameras it serves only {1}; it lacks {2}"),
       note(Code::kOrbslam3ColumnsKept, "columns-kept",
-           "{0}: kept as the base has it; in brackets what follows from the poses and fields of view", kSetAnother),
+           "{0}: the base's values stay; the values in brackets follow from the poses and fields of view", kSetAnother),
       clause(Code::kOrbslam3KeptColumn, "{0} {1} ({2})"),
       note(Code::kOrbslam3ColumnsComputed, "columns-computed",
-           "{0} of the base: of other images, so the columns are recomputed", kSetAnother),
+           "{0} of the base are for other images, so the columns are recomputed", kSetAnother),
       clause(Code::kOrbslam3GoneColumn, "{0} {1}"),
 
       // What a rig lacks for a sensor mode.
@@ -126,9 +126,9 @@ std::span<const CodeInfo> orbslam3_codes() {
 
       // What the settings cannot hold.
       loss(Code::kOrbslam3FrameRateRounded, "frame-rate-rounded", "{2} Hz", "{1} must be an int: {3} is written",
-           "give another one"),
+           "give another frame rate"),
       loss(Code::kOrbslam3ImuRateRounded, "imu-rate-rounded", "{2} Hz", "{1} must be an int in this style: {3} is written",
-           "nothing below a percent: noise is scaled with the root of the rate"),
+           "nothing to do below one percent: the noise scales with the square root of the rate"),
       loss(Code::kOrbslam3SecondCameraDropped, "camera-dropped", "{0}", "{2} settings hold one camera", kFileOfItsOwn),
       loss(Code::kOrbslam3ThirdCameraDropped, "camera-dropped", "{0}", "{2} settings hold two cameras", kFileOfItsOwn),
       clause(Code::kOrbslam3DelayNotStated, "the settings do not contain it ({0})"),

@@ -11,7 +11,7 @@ std::span<const CodeInfo> sensor_codes() {
   static constexpr std::array kRows = {
       // Read.
       warning(Code::kEurocFisheye, "program-ignores",
-              "{0}: camera_model {1} says that the coefficients are equidistant, whatever distortion_model ({2}) says",
+              "{0}: camera_model {1} makes the coefficients equidistant, whatever distortion_model ({2}) is",
               "write camera_model: pinhole and distortion_model: equidistant, which every other reader understands"),
       error(Code::kKimeraOmni, "unknown-model", "{0}: fca-io does not read cameras of camera_model {1}",
             "convert the calibration that it was made from"),
@@ -22,11 +22,11 @@ std::span<const CodeInfo> sensor_codes() {
       clause(Code::kEurocNoK3, "radial-tangential has no k3 in a sensor.yaml"),
 
       // Written: losses and their reasons.
-      clause(Code::kEurocImuDemands, "the sensor.yaml of an IMU demands {0}, too"),
+      clause(Code::kEurocImuDemands, "the sensor.yaml of an IMU also needs {0}"),
       loss(Code::kKimeraFrameRateRounded, "frame-rate-rounded", "{0} {2} Hz",
-           "Kimera-VIO reads rate_hz as an int: {3} is written", "nothing: it only paces the images"),
+           "Kimera-VIO reads rate_hz as an int: {3} is written", "nothing to do: the rate only paces the images"),
       clause(Code::kKimeraOneOffset, "Kimera-VIO has one for all cameras"),
-      clause(Code::kKimeraNoImuFile, "imu_time_shift stands in ImuParams.yaml, which is not written"),
+      clause(Code::kKimeraNoImuFile, "imu_time_shift is in ImuParams.yaml, which is not written"),
 
       // Written: values that the input does not state.
       clause(Code::kKimeraInitialValue, "{0} (of Kimera-VIO's params/Euroc: it stops without one)"),

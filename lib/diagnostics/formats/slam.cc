@@ -12,7 +12,7 @@ std::span<const CodeInfo> slam_codes() {
       // Read. {0}: the program, {1}: the word in the file, {2}: why.
       error(Code::kSlamModelNotRead, "unknown-model", "fca-io does not read cameras of {0}'s model {1}: {2}"),
       clause(Code::kSlamNotAllPowers, "it has no model with all powers of the angle"),
-      clause(Code::kSlamInCalibResults, "their numbers stand in the file that cam_calib_file names, which it reads"),
+      clause(Code::kSlamInCalibResults, "their numbers are in the file that cam_calib_file names, which fca-io reads"),
 
       // Written.
       clause(Code::kSlamFirstIsLeft, "{0} takes the first camera of a stereo pair for the left one"),
@@ -21,8 +21,8 @@ std::span<const CodeInfo> slam_codes() {
 
       // The programs.
       named_misreading(Code::kFastLivoSaysNoDistortion,
-                       "{0} is {1}, and FAST-LIVO takes a lens whose first coefficient is within 1e-7 of 0 for one without "
-                       "distortion: it reads no further coefficient"),
+                       "{0} is {1}: FAST-LIVO takes a lens whose first coefficient is within 1e-7 of 0 for one without "
+                       "distortion, and reads no further coefficient"),
       clause(Code::kSlamRaysInSteps, "from pixel to ray it takes {0} steps of a fixed-point iteration"),
   };
   return kRows;

@@ -10,23 +10,23 @@ namespace fca::diagnostics {
 std::span<const CodeInfo> table_codes() {
   static constexpr std::array kRows = {
       // Read.
-      error(Code::kTableWrongSyntax, "wrong-syntax", "the file does not hold keys and values"),
-      error(Code::kTableNoObject, "not-a-mapping", "{0} is no mapping of keys and values"),
-      error(Code::kTableNoCameraList, "not-a-list", "{0} is no list of cameras"),
+      error(Code::kTableWrongSyntax, "wrong-syntax", "the file does not contain keys and values"),
+      error(Code::kTableNoObject, "not-a-mapping", "{0} is not a mapping of keys and values"),
+      error(Code::kTableNoCameraList, "not-a-list", "{0} is not a list of cameras"),
       error(Code::kTableUnknownLens, "unknown-model", "{0}: there is no camera_model '{1}' with distortion_model '{2}'",
-            "pinhole with radial-tangential, equidistant or none"),
+            "write pinhole with radial-tangential, equidistant or none"),
       // {2}: the words that are known.
-      error(Code::kTableUnknownWord, "unknown-model", "{0} is '{1}'; {2:or} is wanted"),
+      error(Code::kTableUnknownWord, "unknown-model", "{0} is '{1}'; it must be {2:or}"),
       error(Code::kTableCoefficientCount, "wrong-length", "{0} has {1} numbers; {3} has {2:or}"),
-      error(Code::kTableNoSize, "wrong-length", "{0} resolution is no list of width and height"),
-      error(Code::kTableSideNotFour, "wrong-length", "{0} is {1}, and a pose is a matrix of 4 x 4"),
+      error(Code::kTableNoSize, "wrong-length", "{0} resolution is not a list of width and height"),
+      error(Code::kTableSideNotFour, "wrong-length", "{0} is {1}, but a pose is a matrix of 4 x 4"),
       error(Code::kTableNoIdentity, "poses-contradict",
-            "{0} is not the identity, and the poses of such files are those in this sensor",
+            "{0} is not the identity, but all poses of such files are in the frame of this sensor",
             "multiply the poses of all sensors by its inverse from the left, and write the identity here"),
       // {1}: the program.
       reader_warning(Code::kTableMissingKeys, "missing-key", "the file has no {0:or}: {1} stops"),
       // {0}: whose pose or lens.
-      note(Code::kTableNotCalibrated, "not-calibrated", "{0}: all numbers are 0, as of one that is not calibrated"),
+      note(Code::kTableNotCalibrated, "not-calibrated", "{0}: all numbers are 0: it is not calibrated"),
 
       // Written. {0}: the title of the format, {1}: its program.
       clause(Code::kTableWrote, "{0} for {1}"),

@@ -29,7 +29,7 @@ std::span<const CodeInfo> woodscape_codes() {
       error(Code::kWoodscapeJsonOneObject, "wrong-syntax", "a WoodScape calibration is one JSON object"),
       key_error(Code::kWoodscapeJsonMissing, "there is no {0}: projection.py stops with KeyError: '{0}'{1}"),
       key_error(Code::kWoodscapeJsonNoObject,
-                "{0} is no object of keys and values: projection.py stops with KeyError: '{0}'{1}"),
+                "{0} is not an object of keys and values: projection.py stops with KeyError: '{0}'{1}"),
       key_error(Code::kWoodscapeJsonMissingKey, "{0} has no {1}: projection.py stops with KeyError: '{1}'{2}"),
       clause(Code::kWoodscapeJsonPoseNotKnown, "; the pose is not known"),
       error(Code::kWoodscapeJsonOtherModel, "unknown-model",
@@ -38,18 +38,18 @@ std::span<const CodeInfo> woodscape_codes() {
             "poly_order is {0}; projection.py reads k1 to k4, whatever this number is",
             "write the coefficients as k1 to k4 and poly_order as 4"),
       error(Code::kWoodscapeJsonPerDegree, kNotInPixels,
-            "k1 = {0} is no number of pixels per radian (the dataset's are 200 to 600): the file probably holds pixels per "
+            "k1 = {0} is too small for pixels per radian (the dataset's are 200 to 600): the file probably holds pixels per "
             "degree ({0} per degree are {1:.4} per radian)",
             "multiply k1 .. k4 by 57.29578 to the power of 1 .. 4"),
       error(Code::kWoodscapeJsonKannalaBrandt, kNotInPixels,
-            "k1 = {0} is no number of pixels per radian (the dataset's are 200 to 600): the file probably holds normalised "
+            "k1 = {0} is too small for pixels per radian (the dataset's are 200 to 600): the file probably holds normalised "
             "Kannala-Brandt coefficients (theta + k1 theta^3 + ...) under WoodScape's names",
             "if so, the focal length is missing here; write the camera as Kalibr's pinhole-equidistant"),
       CodeInfo{.code = Code::kWoodscapeJsonReadByNobody,
                .id = "program-ignores",
                .severity = Severity::kWarning,
                .about = About::kReader,
-               .text = "{0} is read by nobody: projection.py takes k1 to k4"},
+               .text = "no program reads {0}: projection.py takes k1 to k4"},
       error(Code::kWoodscapeJsonQuaternionZero, kNotARotation, "the quaternion is 0: scipy stops with ValueError"),
       about_poses(error(Code::kWoodscapeJsonQuaternionLength, kNotARotation, "the quaternion has length {0:.4}, not 1",
                         "a rotation by an angle a about the axis n is [n sin(a/2), cos(a/2)]")),
@@ -60,9 +60,9 @@ std::span<const CodeInfo> woodscape_codes() {
                .id = "carla-translation",
                .severity = Severity::kWarning,
                .about = About::kReader,
-               .text = "SynWoodScape's translation in CARLA's frame stands where \"{0}\" should: projection.py stops "
-                       "with KeyError: '{0}'. CARLA is left-handed, its origin is another, and the published files "
-                       "differ in the order of y and z, so that the pose is left out",
+               .text = "the file has SynWoodScape's translation in CARLA's frame instead of \"{0}\": projection.py stops with "
+                       "KeyError: '{0}'. CARLA is left-handed with another origin, and the published files differ in the order "
+                       "of y and z, so fca-io leaves the pose out",
                .fix = "add \"{0}\": [x, y, z] of the camera in the vehicle (metres; x forward, y left, z up)"},
 
       clause(Code::kWoodscapeJsonCentreFromMiddle, "WoodScape counts the centre from the middle of the image"),

@@ -17,18 +17,18 @@ std::span<const CodeInfo> dso_codes() {
       refusal(Code::kDsoNumberNotFinite, "a number of line 1 is not finite"),
       named_refusal(Code::kDsoSizeNotRead, "line {0} ({1} size) is {2}; DSO wants two whole numbers"),
       named_refusal(Code::kDsoOutputUnknown,
-                    "line 3 is {0}; DSO wants exactly crop, full or none (no blank, no CR after it), or five numbers"),
-      named_refusal(Code::kDsoFullUnfinished, "line 3 is full, which DSO has not written yet: assert(false)"),
+                    "line 3 is {0}; DSO wants exactly crop, full or none (no space, no CR after it), or five numbers"),
+      named_refusal(Code::kDsoFullUnfinished, "line 3 is full, which DSO does not implement yet: assert(false)"),
       named_refusal(
           Code::kDsoSizesDiffer,
           "line 3 is none, but the sizes of the lines 2 and 4 differ; DSO exits (\"rectification mode none requires input "
           "and output dimenstions to match!\")"),
-      misreading(Code::kDsoFifthNumberIgnored, "the fifth number of Pinhole is read and ignored: it is no distortion"),
+      misreading(Code::kDsoFifthNumberIgnored, "DSO reads the fifth number of Pinhole and ignores it: it is not a distortion"),
       misreading(Code::kDsoPixelsBelowOne,
                  "some of fx fy cx cy are below 1, but not both of cx and cy: DSO takes all four as pixels"),
       misreading(Code::kDsoSharesByCentre,
-                 "cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height"),
-      misreading(Code::kDsoOutputShares, "line 3 has a centre above 1; DSO takes the numbers as shares of the output size"),
+                 "cx and cy are below 1, so DSO also takes fx and fy as fractions of the image's width and height"),
+      misreading(Code::kDsoOutputShares, "line 3 has a centre above 1; DSO takes the numbers as fractions of the output size"),
       misreading(Code::kDsoNotRectified,
                  "line 3 is none: DSO does not rectify and ignores the distortion of line 1, which costs up to {0:.3} px"),
   };

@@ -14,7 +14,7 @@ std::span<const CodeInfo> kalibr_program_codes() {
       named_refusal(Code::kKalibrSaysNoCamera, "the file has no camera; Kalibr wants cam0, cam1, ..."),
       named_refusal(Code::kKalibrSaysForeignKeys,
                     "Kalibr counts every top-level key as a camera ({0} here, with {1}) and stops because {2} is missing",
-                    "take out of the top level what is no camera"),
+                    "remove everything that is not a camera from the top level"),
       clause(Code::kKalibrSaysFirstKey, "{0}"),
       clause(Code::kKalibrSaysNextKey, ", {0}"),
       named_refusal(Code::kKalibrSaysCameraNoMap, "{0} is {1}; Kalibr wants a map of the camera's keys"),
@@ -22,10 +22,9 @@ std::span<const CodeInfo> kalibr_program_codes() {
       named_refusal(Code::kKalibrSaysUnknownModel, "{0} is {1}; Kalibr knows pinhole, omni, eucm, ds"),
       named_refusal(Code::kKalibrSaysUnknownDistortion, "{0} is {1}; Kalibr knows radtan, equidistant, fov, none"),
       named_refusal(Code::kKalibrSaysNoSuchCamera, "{0}: Kalibr has no camera for {1} with {2}"),
-      named_misreading(
-          Code::kKalibrSaysPinholeWithNone,
-          "{0}: Kalibr builds pinhole with none under a wrong attribute name, so its calibrators fail later: write "
-          "radtan with four zeros"),
+      named_misreading(Code::kKalibrSaysPinholeWithNone,
+                       "{0}: Kalibr stores pinhole with none under a wrong attribute name, so its calibrators fail later: "
+                       "write radtan with four zeros"),
       named_refusal(Code::kKalibrSaysIntrinsicsCount, "{0} is {1}; Kalibr wants {2} for {3}"),
       named_refusal(Code::kKalibrSaysIntrinsicsType,
                     "{0} has {1} where {2} wants a number; Kalibr's Python raises a TypeError"),

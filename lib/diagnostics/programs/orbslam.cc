@@ -22,7 +22,7 @@ std::span<const CodeInfo> orbslam_program_codes() {
       named_refusal(Code::kOrbslamNotText, "{0} is {1}; {2} wants a string in quotes and exits"),
       named_misreading(Code::kOrbslamTakesLargest, "{0} is {1}, not a number; {2} takes OpenCV's largest number for it"),
       named_refusal(Code::kOrbslamNoMatrix, "{0} is {1}; {2} wants an !!opencv-matrix (rows, cols, dt, data)"),
-      named_refusal(Code::kOrbslamUnreadableMatrix, "{0} is no matrix OpenCV can read ({1}); {2} stops"),
+      named_refusal(Code::kOrbslamUnreadableMatrix, "{0} is not a matrix that OpenCV can read ({1}); {2} stops"),
       named_misreading(Code::kOrbslamPoseOfDoubles,
                        "{0} is dt: d; {1} reads its bytes as floats, so the pose is garbage: write dt: f"),
       named_misreading(Code::kOrbslamPoseNotOfFloats,
@@ -49,7 +49,7 @@ std::span<const CodeInfo> orbslam_program_codes() {
       misreading(Code::kOrbslamEucmRefusesAll,
                  "{0}: alpha is {1:.6f}; slam_no_opt's limit 1/(beta (2 alpha - 1)) is negative for alpha < 0.5 and refuses "
                  "every point"),
-      refusal(Code::kOrbslamSmallMatrix, "{0} is {1} x {2}; {3} reads {4} x {5} without looking"),
+      refusal(Code::kOrbslamSmallMatrix, "{0} is {1} x {2}; {3} reads {4} x {5} without a check"),
 
       // The old parser of ORB-SLAM3.
       named_refusal(Code::kOrbslamOldTypeMissing, "{0} is missing; {1} (old style) knows {2:,} and is left without a camera{3}",
@@ -61,22 +61,23 @@ std::span<const CodeInfo> orbslam_program_codes() {
       misreading(Code::kOrbslamRectifiedElsewhere,
                  "LEFT.*/RIGHT.*: only the example program stereo_euroc reads them, to rectify; Camera.* must be the "
                  "rectified camera"),
-      named_misreading(Code::kOrbslamLappingNotInt, "{0} is no int; {1} only prints a warning"),
+      named_misreading(Code::kOrbslamLappingNotInt, "{0} is not an int; {1} only prints a warning"),
       named_refusal(Code::kOrbslamPairSize, "{0} is {1} x {2}; {3} (old style) wants exactly 3 x 4"),
       named_refusal(Code::kOrbslamImuSize, "{0} is {1} x {2}; {3} (old style) wants exactly 4 x 4 floats"),
-      named_refusal(
-          Code::kOrbslamSophusAborts,
-          "{0}: its left 3 x 3 is no rotation to 1e-5 (R R^T - I is {1:.6f}); Sophus inside {2} (old style) aborts: write "
-          "more digits"),
+      named_refusal(Code::kOrbslamSophusAborts,
+                    "{0}: its left 3 x 3 is not a rotation to 1e-5 (R R^T - I is {1:.6f}); Sophus inside {2} (old style) "
+                    "aborts: write more digits"),
       named_misreading(Code::kOrbslamVersionNotText,
                        "{0} is {1}; ORB-SLAM3 V1.0 uses its old parser unless it is the string \"1.0\""),
 
       // ORB-SLAM3 V1.0.
       named_refusal(Code::kOrbslamV1Type, "{0} is {1}; ORB-SLAM3 V1.0 knows PinHole, Rectified, KannalaBrandt8 and exits{2}"),
-      clause(Code::kOrbslamCommentInText, " (OpenCV takes a comment after an unquoted string for a part of it: use quotes)"),
+      clause(Code::kOrbslamCommentInText,
+             " (OpenCV reads a comment after an unquoted string as part of the string: use quotes)"),
       misreading(Code::kOrbslamIgnoredWithoutK1, "{0} is ignored: without {1} there is no distortion"),
       misreading(Code::kOrbslamRectifiedIgnores, "{0} is ignored: Rectified images have no distortion"),
-      misreading(Code::kOrbslamRectifiedAlike, "Camera2.* is ignored: for Rectified both cameras have the numbers of Camera1"),
+      misreading(Code::kOrbslamRectifiedAlike,
+                 "Camera2.* is ignored: in the type Rectified, both cameras have the numbers of Camera1"),
       named_refusal(Code::kOrbslamSecondNeverRead,
                     "KannalaBrandt8 with rgbd-inertial: ORB-SLAM3 V1.0 uses a second camera that was never read and crashes"),
       named_refusal(
@@ -91,7 +92,7 @@ std::span<const CodeInfo> orbslam_program_codes() {
                        "KannalaBrandt8 cameras"),
       named_refusal(Code::kOrbslamPoseSize, "{0} is {1} x {2}; ORB-SLAM3 V1.0 wants 4 x 4 floats and stops"),
       named_misreading(Code::kOrbslamSomeQuaternion,
-                       "{0} has no rotation in its left 3 x 3; ORB-SLAM3 V1.0 turns it into some quaternion"),
+                       "{0} has no rotation in its left 3 x 3; ORB-SLAM3 V1.0 turns it into an arbitrary quaternion"),
       named_misreading(
           Code::kOrbslamNewSizeRectified,
           "{0}/newHeight with stereo PinHole: ORB-SLAM3 V1.0 passes the new size to the rectification as the size of "

@@ -9,12 +9,12 @@ namespace fca::diagnostics {
 
 std::span<const CodeInfo> vins_program_codes() {
   static constexpr std::array kRows = {
-      refusal(Code::kVinsSaysMissing, "{0} is missing: VINS reads 0 and says nothing", kAddTheKey),
+      refusal(Code::kVinsSaysMissing, "{0} is missing: VINS reads 0 without a warning", kAddTheKey),
       refusal(Code::kVinsSaysNoNumber, "{0} is {1}, not a number: VINS reads 1.8e308"),
       refusal(Code::kVinsSaysSizeMissing, "{0} is missing: VINS reads 0", kAddTheKey),
-      refusal(Code::kVinsSaysNoModel, "{0} is missing: VINS takes the camera for MEI, and what it does not find for 0",
+      refusal(Code::kVinsSaysNoModel, "{0} is missing: VINS takes the camera for MEI, and reads 0 for every missing number",
               kAddTheKey),
-      refusal(Code::kVinsSaysModelCase, "{0} is {1}, not {2}: VINS then reads every number as 0 and says nothing"),
+      refusal(Code::kVinsSaysModelCase, "{0} is {1}, not {2}: VINS then reads every number as 0 without a warning"),
       refusal(Code::kVinsSaysUnknownModel, "{0} is \"{1}\": VINS knows no such model and stops"),
       misreading(Code::kVinsSaysFullOfZeros,
                  "k1, k2, p1 and p2 are 0: PINHOLE_FULL is then taken for a lens without distortion, whatever k3 to k6 are"),
@@ -23,7 +23,7 @@ std::span<const CodeInfo> vins_program_codes() {
                  "points are projected with inv_poly_parameters, which is up to {0:.3} px from the inverse of poly_parameters"),
       refusal(Code::kVinsSaysAffineSingular, "[ac ad; ae 1] is singular: liftProjective divides by 0"),
       misreading(Code::kVinsSaysAffineForgotten,
-                 "liftProjective forgets the affine part: the rays of scaramuzza's pixels are turned by about |ac - 1|, |ad| "
+                 "liftProjective ignores the affine part: the rays of scaramuzza's pixels are turned by about |ac - 1|, |ad| "
                  "and |ae| rad"),
       misreading(Code::kVinsSaysNoPixelOnAxis, "a point exactly on the axis has no pixel in scaramuzza (0 / 0)"),
       // The main configuration.
@@ -31,7 +31,7 @@ std::span<const CodeInfo> vins_program_codes() {
       named_refusal(Code::kVinsSaysCameraMissing, "{0} is missing: VINS-Fusion has no camera and stops", kAddTheKey),
       named_refusal(Code::kVinsSaysPoseMissing, "{0} is missing: VINS-Fusion copies a matrix that is not there", kAddTheKey),
       named_refusal(Code::kVinsSaysPoseSize, "{0} is not 4 x 4: VINS-Fusion copies it unchecked"),
-      misreading(Code::kVinsSaysZero, "0 or missing, and VINS-Fusion goes on with 0: {0:and}"),
+      misreading(Code::kVinsSaysZero, "VINS-Fusion takes as 0 what is 0 or missing: {0:and}"),
   };
   return kRows;
 }

@@ -62,11 +62,11 @@ std::string sentences_of(const CodeInfo& code) {
 /// How far to believe it.
 std::string experience_with(std::string_view code) {
   const Sighting seen = sighting_of(code);
-  const std::string all = "Of " + std::to_string(kRealFiles) + " real calibration files ";
-  if (seen.files == 0) return all + "none has it.";
-  const std::string have = all + std::to_string(seen.files) + (seen.files == 1 ? " has" : " have") + " it";
-  if (seen.false_alarms == 0) return have + (seen.files == 1 ? ", and not by mistake." : ", none of them by mistake.");
-  return have + "; " + std::to_string(seen.false_alarms) + " of those are right as they are.";
+  const std::string all = " of " + std::to_string(kRealFiles) + " real calibration files";
+  if (seen.files == 0) return "fca-io finds it in none" + all + ".";
+  const std::string found = "fca-io finds it in " + std::to_string(seen.files) + all;
+  if (seen.false_alarms == 0) return found + (seen.files == 1 ? ", rightly." : ", each time rightly.");
+  return found + "; " + std::to_string(seen.false_alarms) + " of them are right as they are.";
 }
 
 }  // namespace
