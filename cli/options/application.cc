@@ -23,8 +23,8 @@ namespace fca::cli {
 
 struct Application::Parser {
   CLI::App app{
-      "fca-io makes camera calibration files interoperable: it reads them, explains them, converts them to other formats "
-      "and\ncamera models, and proves that the program that reads the result understands it correctly."};
+      "fca-io makes camera calibration files interoperable: it reads them, explains them, converts them to other formats and "
+      "camera models, and proves that the program that reads the result understands it correctly."};
   RunCommand chosen;
   std::optional<Options> options;  ///< Of the subcommand that was chosen.
   std::map<std::string, std::function<RunCommand(Options& options)>> definitions;

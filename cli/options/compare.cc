@@ -73,12 +73,16 @@ void add_compare_options(Options& options, CompareArguments& arguments) {
   add_json_option(options, arguments.json);
   options.footer(
       "compare measures errors as convert does: REF gives the ray of a pixel of its image, and FILE gives the pixel of that "
-      "ray. It\nmatches cameras by name, else by order; with --camera by the order given there. --with, --crop, --binning and "
-      "--resize are\nfor REF. It scales images of another size that have the same proportions.\n\nIf a camera is turned and "
-      "its poses turn back by the same angle, the two cancel, and the verdict counts only the rest.\n\nExit codes: 0 compared, "
-      "whatever the differences; 1 --max-error or --strict not met; 2 bad input; 3 usage; 4 input/output.\n\nExample:\n  "
-      "fca-io compare camchain.yaml --with imu.yaml settings.yaml --report page.html\n  fca-io compare before.yaml after.yaml "
-      "--max-angle 97.5 --max-error 0.5\n  fca-io compare before.yaml after.yaml --focus 40 --distance 2\n");
+      "ray. It matches cameras by name, else by order; with --camera by the order given there. --with, --crop, --binning and "
+      "--resize are for REF. It scales images of another size that have the same proportions.\n\n"
+      "If a camera is turned and its poses turn back by the same angle, the two cancel, and the verdict counts only the "
+      "rest.\n\n"
+      "Exit codes: 0 compared, whatever the differences; 1 --max-error or --strict not met; 2 bad input; 3 usage; 4 "
+      "input/output.\n\n"
+      "Example:\n"
+      "  fca-io compare camchain.yaml --with imu.yaml settings.yaml --report page.html\n"
+      "  fca-io compare before.yaml after.yaml --max-angle 97.5 --max-error 0.5\n"
+      "  fca-io compare before.yaml after.yaml --focus 40 --distance 2\n");
   options.afterwards([&arguments] { return usage_error(arguments); });
 }
 

@@ -20,10 +20,13 @@ void add_evaluate_options(Options& options, EvaluateArguments& arguments) {
   });
   options.footer(
       "The cameras are the paper's. The tables show its figures, ours, and why they differ. fca-io does not contain the "
-      "paper's\nimages: --image takes any image; examples/cpp/render_image.cc makes one. With the authors' own (their "
-      "repository's\ndataset/kalibr/image.png for Table 1, dataset/OcamCalib/image.jpg for Table 2), their PSNR and SSIM are "
-      "computed their way,\nnext to what the image loses.\n\nExample:\n  fca-io evaluate\n  fca-io evaluate --json > "
-      "tables.json\n  fca-io evaluate --image seen.pgm -o figures.html\n");
+      "paper's images: --image takes any image; examples/cpp/render_image.cc makes one. With the authors' own (their "
+      "repository's dataset/kalibr/image.png for Table 1, dataset/OcamCalib/image.jpg for Table 2), their PSNR and SSIM are "
+      "computed their way, next to what the image loses.\n\n"
+      "Example:\n"
+      "  fca-io evaluate\n"
+      "  fca-io evaluate --json > tables.json\n"
+      "  fca-io evaluate --image seen.pgm -o figures.html\n");
 }
 
 }  // namespace fca::cli

@@ -124,8 +124,10 @@ void add_rectify_options(Options& options, RectifyArguments& arguments) {
   add_force_option(options, "Overwrite existing files", arguments.force);
   add_json_option(options, arguments.json);
   options.footer(
-      "fca-io finds by the geometry which camera is the left one.\n\nExample:\n  fca-io rectify camchain.yaml --with imu.yaml "
-      "--to orbslam3 -o settings.yaml\n  fca-io rectify stereo.yml left/ right/ --maps -o rectified/\n");
+      "fca-io finds by the geometry which camera is the left one.\n\n"
+      "Example:\n"
+      "  fca-io rectify camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n"
+      "  fca-io rectify stereo.yml left/ right/ --maps -o rectified/\n");
   options.afterwards([&arguments] { return finish(arguments); });
 }
 

@@ -157,10 +157,11 @@ void add_remap_options(Options& options, RemapArguments& arguments) {
   add_json_option(options, arguments.json);
   options.footer(
       "Axes: x right, y down, z forward; R = Ry(yaw) Rx(pitch) Rz(roll), right-handed, takes the new camera's rays to the "
-      "old\none's. Grey, colour, 16 bits and opacity stay as they are. Pixels that the source does not see become "
-      "0.\n\nExample:\n  fca-io remap camera.yaml image.png --pinhole 100 -o undistorted.png\n  fca-io remap camera.yaml "
-      "'left/*.png' --pinhole 90 --rotate 45,0,0 -o right/\n  fca-io remap camchain.yaml --camera cam0 --model ds --map "
-      "map.npy --mask m.png\n");
+      "old one's. Grey, colour, 16 bits and opacity stay as they are. Pixels that the source does not see become 0.\n\n"
+      "Example:\n"
+      "  fca-io remap camera.yaml image.png --pinhole 100 -o undistorted.png\n"
+      "  fca-io remap camera.yaml 'left/*.png' --pinhole 90 --rotate 45,0,0 -o right/\n"
+      "  fca-io remap camchain.yaml --camera cam0 --model ds --map map.npy --mask m.png\n");
   options.afterwards([&request, typed] { return finish_view(request, *typed); });
   options.afterwards([&arguments] { return problem_with_extensions(arguments); });
   options.afterwards([&arguments] { return problem_with_outputs(arguments); });

@@ -47,9 +47,10 @@ void add_report_options(Options& options, ReportArguments& arguments) {
   add_force_option(options, "Overwrite an existing page", arguments.force);
   options.footer(
       "The page is one file, without scripts, and needs no network. report writes it even if convert would refuse to write "
-      "the\nfile (exit 1), and the page shows that. If the input cannot be converted at all (exit 2), there is no "
-      "page.\n\nExample:\n  fca-io report camchain.yaml --with imu.yaml --to orbslam3 -o page.html\n  fca-io report "
-      "camchain.yaml --model all -o models.html\n");
+      "the file (exit 1), and the page shows that. If the input cannot be converted at all (exit 2), there is no page.\n\n"
+      "Example:\n"
+      "  fca-io report camchain.yaml --with imu.yaml --to orbslam3 -o page.html\n"
+      "  fca-io report camchain.yaml --model all -o models.html\n");
   options.afterwards([&conversion] { return usage_error(conversion); });
 }
 
