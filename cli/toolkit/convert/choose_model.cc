@@ -4,6 +4,7 @@
 #include "parallel_for.h"
 
 #include <fca/code.h>
+#include <fca/convert/least_error.h>
 #include <fca/convert/reach.h>
 
 #include <algorithm>
@@ -90,6 +91,7 @@ std::optional<ConvertedCamera> convert_one(const Camera& camera, const StoredMod
   if (keeps(camera, stored, choice) && !camera.image_size && validate(camera.model).empty())
     return ConvertedCamera{camera, camera, std::nullopt};
   ConvertOptions options = options_for(stored, choice);
+  options.exact_errors = choice.errors_of_kept;
   std::optional<Conversion> conversion = converted(camera, options, choice, diagnostics);
   if (!conversion) return std::nullopt;
   return ConvertedCamera{camera, std::move(conversion->camera), std::move(conversion->report)};
@@ -180,8 +182,26 @@ bool is_good_everywhere(const std::vector<ConvertedCamera>& outcomes) {
   });
 }
 
+/// Is a fit of that model to the whole lens, which is all that is left to it, known to be worse than these outcomes? They are
+/// of another model, and good everywhere.
+bool surely_loses(const std::vector<Camera>& cameras, const StoredModel& stored, const std::vector<ConvertedCamera>& outcomes,
+                  const ModelChoice& choice) {
+  constexpr double kClearly = 4.0;      // times: the limit is that of a few pixels
+  constexpr double kNobodySees = 1e-5;  // px
+  const ConvertRequest& request = choice.request;
+  if (request.objective != Objective::kRms || request.weight != WeightKind::kPixel || request.absorb_turn) return false;
+  const Merit merit = merit_of(outcomes, request.objective);
+  if (merit.unrepresentable != 0.0 || !is_good_everywhere(outcomes)) return false;
+  const double limit_px = std::max(kClearly * std::sqrt(merit.square_sum), kNobodySees);
+  return std::ranges::any_of(cameras, [&](const Camera& camera) {
+    const std::optional<double> least_px = least_rms_px(camera, stored.model, request.inputs.max_angle_rad);
+    return least_px && *least_px > limit_px;
+  });
+}
+
 /// All cameras in the best of the models that may be chosen. One that sees only ahead is not tried where another
-/// covers what lies behind, nor fitted to a cone where another is good everywhere: that fit is the slowest of all.
+/// covers what lies behind, nor fitted to a cone where another is good everywhere: that fit is the slowest of
+/// all, nor fitted at all where none of its cameras can be as good.
 std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>& cameras, const Format& format,
                                                        const ModelChoice& choice, Diagnostics& diagnostics) {
   struct Candidate {
@@ -197,6 +217,7 @@ std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>
   double uncovered = std::numeric_limits<double>::infinity();
   double behind = 0.0;
   ModelChoice next = choice;
+  next.errors_of_kept = true;  // what candidates are told apart by
   const auto try_out = [&](Candidate& candidate) {
     candidate.tried = true;
     candidate.outcomes = convert_all(cameras, *candidate.stored, next, candidate.diagnostics);
@@ -208,8 +229,13 @@ std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>
   for (Candidate& candidate : candidates) {
     if (!sees_ahead_only(candidate.stored->model)) try_out(candidate);
   }
+  const auto is_hopeless = [&](const Candidate& candidate) {
+    return next.partial == Partial::kNothing && std::ranges::any_of(candidates, [&](const Candidate& other) {
+             return other.outcomes && surely_loses(cameras, *candidate.stored, *other.outcomes, choice);
+           });
+  };
   for (Candidate& candidate : candidates) {
-    if (!candidate.tried && !(behind > uncovered + kSameCoverage)) try_out(candidate);
+    if (!candidate.tried && !(behind > uncovered + kSameCoverage) && !is_hopeless(candidate)) try_out(candidate);
   }
   const Candidate* best = nullptr;
   const Candidate* failed = nullptr;

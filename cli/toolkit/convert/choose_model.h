@@ -27,6 +27,7 @@ struct ModelChoice {
   std::vector<std::string> among = {};  ///< What may be chosen; empty: what the stock program reads.
   Partial partial = Partial::kCone;
   KnownConversions* known = nullptr;  ///< Where conversions of the same request are remembered; null: nowhere.
+  bool errors_of_kept = true;         ///< As in the request.
   bool same_format = false;           ///< The cameras come from a file of the format they are written to.
 };
 
