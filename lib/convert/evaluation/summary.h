@@ -16,6 +16,8 @@ class Summary {
   explicit Summary(int bins_per_octave);
 
   void add(const Batch& batch, std::size_t count);
+  /// The same of points that weigh 1 each and have no spread, as pixels do, in a third of the time.
+  void add_pixels(const Batch& batch, std::size_t count);
   /// All but bound; the maximum is the worst point's.
   [[nodiscard]] Judgement judgement(const Domain& domain) const;
   /// Sorted, the worst first.
@@ -28,12 +30,18 @@ class Summary {
   static constexpr std::size_t kBands = 18;
   static constexpr std::size_t kWorst = 12;
   /// The two errors for which each point of a batch stands, and their bins.
+  using BinOfPoints = std::array<std::int32_t, Batch::kSize>;
   struct BinsOfPoints {
     Batch::Lane low, high;
-    std::array<std::int32_t, Batch::kSize> low_bin, high_bin;
+    BinOfPoints low_bin, high_bin;
   };
+  void find_bins(const Batch::Lane& errors, std::size_t count, BinOfPoints& found) const;
   void find_bins(const Batch& batch, std::size_t count, BinsOfPoints& found) const;
-  std::size_t add_band(const Batch& batch, std::size_t begin, std::size_t count, const BinsOfPoints& in);
+  /// Adds points from `begin` on, and returns the end of these; `add_points` those of one band.
+  template <class AddPoints>
+  std::size_t add_band(const Batch& batch, std::size_t begin, std::size_t count, const AddPoints& add_points);
+  template <class AddPoints>
+  void add_bands(const Batch& batch, std::size_t count, const AddPoints& add_points);
   [[nodiscard]] std::size_t band_of(double cosine) const;
   /// The errors below which these shares of the scored weight lie; the shares rise.
   template <std::size_t N>
