@@ -3,6 +3,7 @@
 
 #include "reader_pixels.h"
 
+#include <fca/convert/angle_limit.h>
 #include <fca/rig/rotation.h>
 
 #include <algorithm>
@@ -21,9 +22,11 @@ struct Lattice {
   int to_next_ray;
 };
 constexpr Lattice kCoarse = {32, 2};
-constexpr Lattice kFine = {40, 1};  ///< Where shares of the image are to be told.
+constexpr Lattice kFine = {ReaderPoints::kSteps, 1};  ///< Where shares of the image are to be told.
 /// A pixel or ray that is further off than this, where programs are known to go wrong, is none.
 constexpr double kWrongPx = 1.0;
+/// How well a model's last angle is known [rad].
+constexpr double kLastAngleSlack = 1e-7;
 
 Pixel last_pixel(const ImageSize& size) { return {size.width - 1.0, size.height - 1.0}; }
 
@@ -108,13 +111,16 @@ class Region {
 class Comparison {
  public:
   Comparison(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader,
-             const AngleLimits& limits, const Lattice& lattice, const std::optional<Transform>& T_written_camera)
+             const AngleLimits& limits, const Lattice& lattice, const std::optional<Transform>& T_written_camera,
+             ReaderPoints* known)
       : T_written_camera_(T_written_camera),
         lattice_(lattice),
         camera_(camera),
         written_(written),
         reader_(reader),
         is_kept_(camera.model == written),
+        known_(is_kept_ && !T_written_camera && lattice.steps == ReaderPoints::kSteps ? known : nullptr),
+        surely_written_(max_angle(written) - kLastAngleSlack),
         last_cosine_(cosine_of(limits.asked)),
         last_fitted_cosine_(cosine_of(limits.fitted)) {}
 
@@ -145,7 +151,10 @@ class Comparison {
         const Pixel pixel = {last[0] * i / steps, last[1] * j / steps};
         const bool in_circle = distance(pixel, circle.centre) <= circle.radius;
         const bool ask_for_ray = i % lattice_.to_next_ray == 0 && j % lattice_.to_next_ray == 0;
-        grid_.push_back(compare_at(pixel, unproject(camera_.model, pixel), share_of(i, j, steps), in_circle, ask_for_ray));
+        ReaderPoint unknown;
+        ReaderPoint& point = known_ != nullptr ? known_->at(i, j) : unknown;
+        const std::optional<Ray>& ray = point.ray(camera_.model, pixel);
+        grid_.push_back(compare_at(pixel, ray, share_of(i, j, steps), in_circle, ask_for_ray, point));
       }
     }
   }
@@ -158,20 +167,21 @@ class Comparison {
       const Share share = {entry.weight * lattice_.steps * lattice_.steps, entry.weight};
       const bool in_circle = distance(entry.pixel, circle.centre) <= circle.radius;
       const bool ask_for_ray = i % static_cast<std::size_t>(lattice_.to_next_ray * lattice_.to_next_ray) == 0;
-      (void)compare_at(entry.pixel, entry.ray, share, in_circle, ask_for_ray);
+      ReaderPoint point;
+      (void)compare_at(entry.pixel, entry.ray, share, in_circle, ask_for_ray, point);
     }
   }
 
   /// Nothing where the camera has no ray that counts.
   std::optional<SeenPixel> compare_at(const Pixel& pixel, const std::optional<Ray>& ray, const Share& share, bool in_circle,
-                                      bool ask_for_ray) {
+                                      bool ask_for_ray, ReaderPoint& point) {
     if (camera_.lens_circle && !camera_.lens_circle->contains(pixel)) return std::nullopt;
     if (!ray || (*ray)[2] < last_cosine_) return std::nullopt;
     smallest_cosine_ = std::min(smallest_cosine_, (*ray)[2]);
-    const SeenPixel seen = {pixel, pixel_at(pixel, *ray)};
+    const SeenPixel seen = {pixel, pixel_at(pixel, *ray, point)};
     const std::optional<double> distance = seen.program ? std::optional(fca::distance(*seen.program, pixel)) : std::nullopt;
     const double points = lattice_.to_next_ray * lattice_.to_next_ray;  // for which one that is asked stands
-    const bool has_wrong_ray = distance && ask_for_ray && wrong_ray_px(pixel, reader_) > kWrongPx;
+    const bool has_wrong_ray = distance && ask_for_ray && point.wrong_px(reader_, pixel) > kWrongPx;
     for (Region* region : {&in_image_, &in_circle_}) {
       if (region == &in_circle_ && !in_circle) continue;
       region->add(share, distance);
@@ -181,10 +191,10 @@ class Comparison {
   }
 
   /// The program's, in the file's pixels; nothing where the model of the file or the program has no right one.
-  [[nodiscard]] std::optional<Pixel> pixel_at(const Pixel& pixel, const Ray& of_camera) const {
+  [[nodiscard]] std::optional<Pixel> pixel_at(const Pixel& pixel, const Ray& of_camera, ReaderPoint& point) const {
     const Ray ray = T_written_camera_ ? rotated(*T_written_camera_, of_camera) : of_camera;
-    if (of_camera[2] < last_fitted_cosine_ || (!is_kept_ && !project(written_, ray))) return std::nullopt;
-    const std::optional<Pixel> theirs = reader_.project(ray);
+    if (of_camera[2] < last_fitted_cosine_ || (!is_kept_ && !has_pixel(ray))) return std::nullopt;
+    const std::optional<Pixel>& theirs = point.image(reader_, ray);
     if (!theirs) return std::nullopt;
     const Pixel seen = in_file_pixels(*theirs, reader_);
     const double distance = fca::distance(seen, pixel);
@@ -195,12 +205,19 @@ class Comparison {
     return meant && fca::distance(seen, *meant) <= kWrongPx ? std::optional(seen) : std::nullopt;
   }
 
+  /// Of the model of the file. It is asked where its last angle is close.
+  [[nodiscard]] bool has_pixel(const Ray& ray) const {
+    return surely_written_.surely_admits(ray[2]) || project(written_, ray).has_value();
+  }
+
   const std::optional<Transform>& T_written_camera_;
   Lattice lattice_;
   const Camera& camera_;
   const CameraModel& written_;
   const consumers::ConsumerCamera& reader_;
   bool is_kept_;
+  ReaderPoints* known_;
+  AngleLimit surely_written_;  ///< Within it the model of the file has a pixel.
   double last_cosine_;
   double last_fitted_cosine_;
   double smallest_cosine_ = 1.0;
@@ -212,12 +229,13 @@ class Comparison {
 }  // namespace
 
 CameraDistance distance_of(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader,
-                           const AngleLimits& limits, bool has_gaps, const std::optional<Transform>& T_written_camera) {
+                           const AngleLimits& limits, bool has_gaps, const std::optional<Transform>& T_written_camera,
+                           ReaderPoints* known) {
   if (!has_gaps) {
-    CameraDistance coarse = Comparison(camera, written, reader, limits, kCoarse, T_written_camera).run();
+    CameraDistance coarse = Comparison(camera, written, reader, limits, kCoarse, T_written_camera, nullptr).run();
     if (coarse.in_image.no_rays == 0.0) return coarse;
   }
-  return Comparison(camera, written, reader, limits, kFine, T_written_camera).run();
+  return Comparison(camera, written, reader, limits, kFine, T_written_camera, known).run();
 }
 
 std::optional<double> degrees_in_circle(const Camera& camera) {

@@ -26,7 +26,7 @@ constexpr double kSamePixel = 1e-3;
 
 /// Steps of the lattices over a camera's image.
 constexpr int kCoarse = 24;
-constexpr int kFine = 40;
+constexpr int kFine = ReaderPoints::kSteps;
 
 /// An image in parts of which both lattices' cells are whole numbers: cameras count alike, and sums are exact.
 constexpr double kImageArea = kCoarse * kCoarse * kFine * kFine;
@@ -90,9 +90,9 @@ double rounding_px(const CameraModel& model, const Ray& ray) {
 
 /// The difference in pixels; 0 where there is nothing to compare. `model`: the ray's; null for one of a table.
 double compare_pixel(const Pixel& pixel, const Ray& ray, const CameraModel* model, const consumers::ConsumerCamera& theirs,
-                     const Area& area, double tolerance, Comparison& result) {
+                     const Area& area, double tolerance, Comparison& result, ReaderPoint& point) {
   result.asked += area.pixels;
-  const std::optional<Pixel> image = theirs.project(ray);
+  const std::optional<Pixel>& image = point.image(theirs, ray);
   if (!image) return 0.0;
   const double difference = distance(*image, in_their_pixels(pixel, theirs));
   // From 90 degrees on some programs mirror: that is their limit, told as a warning, not a fault of the file.
@@ -101,7 +101,7 @@ double compare_pixel(const Pixel& pixel, const Ray& ray, const CameraModel* mode
     return 0.0;
   result.compared += area.pixels;
   constexpr double kWrong = 1.0;  // px
-  if (const double off = area.rays ? wrong_ray_px(pixel, theirs) : 0.0; off > kWrong) {
+  if (const double off = area.rays ? point.wrong_px(theirs, pixel) : 0.0; off > kWrong) {
     result.wrong_rays += *area.rays;
     result.wrong_ray_px = std::max(result.wrong_ray_px, off);
   }
@@ -120,26 +120,32 @@ double compare_pixel(const Pixel& pixel, const Ray& ray, const CameraModel* mode
 
 /// Over the camera's image: our ray of a pixel, then the program's pixel of that ray. On a lattice, and on rings about the
 /// centre, where a polynomial inverse is worst; from the worst of them on to where the difference is largest.
-Comparison compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs, double tolerance, double max_angle_rad) {
+Comparison compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs, double tolerance, double max_angle_rad,
+                          ReaderPoints& known) {
   Comparison result;
   if (!ours.image_size) return result;
   const Pixel last = {ours.image_size->width - 1.0, ours.image_size->height - 1.0};
   const double last_cosine = max_angle_rad < std::numbers::pi ? std::cos(max_angle_rad) : -2.0;
   Pixel worst_pixel = {0.0, 0.0};
   double worst = 0.0;
-  const auto compare_at = [&](const Pixel& pixel, const Area& area) {
+  const auto compare_point = [&](const Pixel& pixel, const Area& area, ReaderPoint& point) {
     if (!ours.image_size->holds(pixel)) return false;
     if (ours.lens_circle && !ours.lens_circle->contains(pixel)) return false;
-    const std::optional<Ray> ray = unproject(ours.model, pixel);
+    const std::optional<Ray>& ray = point.ray(ours.model, pixel);
     if (!ray || (*ray)[2] < last_cosine) return false;
     // Near a fold a ray is only nearly that of the pixel: the ray's own is compared.
     const std::optional<Pixel> of_ray = project(ours.model, *ray);
     const bool is_near = of_ray && distance(*of_ray, pixel) < kSamePixel;
-    const double difference = compare_pixel(is_near ? *of_ray : pixel, *ray, &ours.model, theirs, area, tolerance, result);
+    const double difference =
+        compare_pixel(is_near ? *of_ray : pixel, *ray, &ours.model, theirs, area, tolerance, result, point);
     if (!(difference > worst)) return false;
     worst = difference;
     worst_pixel = pixel;
     return true;
+  };
+  const auto compare_at = [&](const Pixel& pixel, const Area& area) {
+    ReaderPoint point;
+    return compare_point(pixel, area, point);
   };
   // Trapezoids: a point of the border stands for half a cell.
   const auto compare_lattice = [&](int steps, int steps_to_next_ray) {
@@ -150,7 +156,8 @@ Comparison compare_camera(const Camera& ours, const consumers::ConsumerCamera& t
         Area area{width_of(i) * width_of(j) * cell_area};
         if (i % steps_to_next_ray == 0 && j % steps_to_next_ray == 0)
           area.rays = steps_to_next_ray * steps_to_next_ray * area.pixels;
-        compare_at({last[0] * i / steps, last[1] * j / steps}, area);
+        const Pixel pixel = {last[0] * i / steps, last[1] * j / steps};
+        steps == ReaderPoints::kSteps ? compare_point(pixel, area, known.at(i, j)) : compare_at(pixel, area);
       }
     }
   };
@@ -183,12 +190,14 @@ Comparison compare_camera(const Camera& ours, const consumers::ConsumerCamera& t
 }
 
 /// The same of a lens that is known by rays alone: of those.
-Comparison compare_table(const Camera& ours, const consumers::ConsumerCamera& theirs, double tolerance, double max_angle_rad) {
+Comparison compare_table(const Camera& ours, const consumers::ConsumerCamera& theirs, double tolerance, double max_angle_rad,
+                         ReaderPoints& /*known*/) {
   Comparison result;
   for (const Correspondence& entry : ours.rays) {
     if (angle_from_axis(entry.ray) > max_angle_rad) continue;
     const double area = entry.weight * kImageArea;
-    compare_pixel(entry.pixel, entry.ray, nullptr, theirs, {area, area}, tolerance, result);
+    ReaderPoint point;
+    compare_pixel(entry.pixel, entry.ray, nullptr, theirs, {area, area}, tolerance, result, point);
   }
   return result;
 }
@@ -297,7 +306,8 @@ ProofResult proof_of(const consumers::Consumer& consumer, const consumers::Consu
   each_camera(comparisons.size(), [&](std::size_t i) {
     const Camera& camera = rig.cameras[i];
     const auto compare = camera.rays.empty() ? compare_camera : compare_table;
-    comparisons[i] = compare(camera, view.cameras[i], consumer.tolerance_px, max_angle_rad);
+    ReaderPoints known;
+    comparisons[i] = compare(camera, view.cameras[i], consumer.tolerance_px, max_angle_rad, known);
     const auto before = std::ranges::find(calibrated, camera.name,
                                           [](const CalibratedCamera& each) -> const std::string& { return each.camera.name; });
     const bool was_fitted = before != calibrated.end();
@@ -305,7 +315,7 @@ ProofResult proof_of(const consumers::Consumer& consumer, const consumers::Consu
     const bool has_gaps =
         comparisons[i].compared < comparisons[i].asked || comparisons[i].wrong_rays > 0.0 || limits.fitted < std::numbers::pi;
     distances[i] = distance_of(was_fitted ? before->camera : camera, camera.model, view.cameras[i], limits, has_gaps,
-                               was_fitted ? before->T_written_camera : std::nullopt);
+                               was_fitted ? before->T_written_camera : std::nullopt, &known);
   });
   Comparison comparison;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {

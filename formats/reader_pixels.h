@@ -6,7 +6,9 @@
 #include <fca/models/camera_model.h>
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace fca {
 
@@ -32,5 +34,45 @@ namespace fca {
   const std::optional<Pixel> back = ray ? theirs.project(*ray) : std::nullopt;
   return back ? distance(in_file_pixels(*back, theirs), pixel) : 0.0;
 }
+
+/// A point of an image, and what is found of it once it is asked for: programs' formulas take their time.
+class ReaderPoint {
+ public:
+  /// The camera's ray.
+  const std::optional<Ray>& ray(const CameraModel& model, const Pixel& pixel) {
+    if (!ray_) ray_ = unproject(model, pixel);
+    return *ray_;
+  }
+  /// The program's pixel of the camera's ray.
+  const std::optional<Pixel>& image(const consumers::ConsumerCamera& theirs, const Ray& ray) {
+    if (!image_) image_ = theirs.project(ray);
+    return *image_;
+  }
+  /// wrong_ray_px()
+  double wrong_px(const consumers::ConsumerCamera& theirs, const Pixel& pixel) {
+    if (!wrong_px_) wrong_px_ = wrong_ray_px(pixel, theirs);
+    return *wrong_px_;
+  }
+
+ private:
+  std::optional<std::optional<Ray>> ray_;
+  std::optional<std::optional<Pixel>> image_;
+  std::optional<double> wrong_px_;
+};
+
+/// The points of a lattice over an image, column by column, of a camera and a program that do not change.
+class ReaderPoints {
+ public:
+  /// So many steps along each side: where shares of the image are to be told.
+  static constexpr int kSteps = 40;
+
+  ReaderPoint& at(int i, int j) {
+    points_.resize((kSteps + 1) * (kSteps + 1));
+    return points_[static_cast<std::size_t>(i) * (kSteps + 1) + static_cast<std::size_t>(j)];
+  }
+
+ private:
+  std::vector<ReaderPoint> points_;  ///< Made when the first is asked for.
+};
 
 }  // namespace fca

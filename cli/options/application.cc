@@ -12,7 +12,6 @@
 #include <fca/toolkit/files.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -21,20 +20,58 @@
 
 namespace fca::cli {
 
+namespace {
+
+constexpr const char* kVersionFlag = "--version";
+
+}  // namespace
+
 struct Application::Parser {
   CLI::App app{
       "fca-io makes camera calibration files interoperable: it reads them, explains them, converts them to other formats and "
       "camera models, and proves that the program that reads the result understands it correctly."};
   RunCommand chosen;
   std::optional<Options> options;  ///< Of the subcommand that was chosen.
-  std::map<std::string, std::function<RunCommand(Options& options)>> definitions;
+  std::vector<std::string> given;  ///< The words of the command line.
+
+  struct Command {
+    std::string name;
+    std::string description;
+    std::function<RunCommand(Options& options)> define;
+  };
+  std::vector<Command> commands;
+
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const Command& command : commands) names.push_back(command.name);
+    return names;
+  }
+
+  /// The parser gets to know the command; its options when it is met.
+  void make(const Command& command) {
+    CLI::App* const subcommand = app.add_subcommand(command.name, command.description);
+    subcommand->allow_extras();  // they are refused without an exception
+    subcommand->preparse_callback([this, subcommand, define = command.define](std::size_t /*words*/) {
+      options.emplace(*subcommand, given);
+      chosen = define(*options);
+      options->refuse_empty_values();
+    });
+  }
+
+  /// The command of the first word, or where there is none, all of them.
+  void make_needed() {
+    const auto first = given.empty() ? commands.end() : std::ranges::find(commands, given.front(), &Command::name);
+    if (first != commands.end()) return make(*first);
+    if (given.size() == 1 && given.front() == kVersionFlag) return;
+    for (const Command& command : commands) make(command);
+  }
 
   /// The subcommand of that name, with its options; null: there is none.
   CLI::App* defined(const std::string& name) {
-    const auto found = definitions.find(name);
-    if (found == definitions.end()) return nullptr;
+    const auto found = std::ranges::find(commands, name, &Command::name);
+    if (found == commands.end()) return nullptr;
     CLI::App* const subcommand = app.get_subcommand(name);
-    found->second(options.emplace(*subcommand));
+    found->define(options.emplace(*subcommand));
     return subcommand;
   }
 
@@ -43,6 +80,7 @@ struct Application::Parser {
   std::optional<std::string> answer(std::span<const std::string> words) {
     const bool is_manual = !words.empty() && words.front() == "manual";
     if (!is_manual && (words.empty() || words.front() != "complete")) return std::nullopt;
+    for (const Command& command : commands) make(command);
     std::vector<std::string> further(words.begin() + 1, words.end());
     if (further.size() > 1 && further.front() != "help") further = in_usual_names(std::move(further));
     CLI::App* const command = further.empty() ? nullptr : defined(further.front());
@@ -64,7 +102,7 @@ Application::Application() : parser_(std::make_unique<Parser>()) {
   app.formatter(help_formatter());
   app.option_defaults()->group(std::string(title_of(OptionGroup::kOutput)));
   app.set_help_flag("-h,--help", "Print this help");
-  app.set_version_flag("--version", "fca-io " FCA_VERSION, "Print the version");
+  app.set_version_flag(kVersionFlag, "fca-io " FCA_VERSION, "Print the version");
   app.require_subcommand(0, 1);
   app.footer(
       "fca-io FILE is short for fca-io show FILE; diff is compare, undistort is remap, help COMMAND prints a command's "
@@ -79,13 +117,7 @@ Application::~Application() = default;
 
 void Application::add(const std::string& name, const std::string& description,
                       std::function<RunCommand(Options& options)> define) {
-  CLI::App* const subcommand = parser_->app.add_subcommand(name, description);
-  parser_->definitions[name] = define;
-  subcommand->preparse_callback([subcommand, parser = parser_.get(), define = std::move(define)](std::size_t /*words*/) {
-    parser->options.emplace(*subcommand);
-    parser->chosen = define(*parser->options);
-    parser->options->refuse_empty_values();
-  });
+  parser_->commands.push_back({name, description, std::move(define)});
 }
 
 namespace {
@@ -97,6 +129,7 @@ JsonShape json_shape(bool json, bool json_lines) {
 
 /// The JSON that words ask for that no command has taken.
 JsonShape json_asked_for(const std::vector<std::string>& words) {
+  if (std::ranges::none_of(words, [](const std::string& word) { return word.starts_with("--json"); })) return JsonShape::kNone;
   CLI::App any;
   any.set_help_flag();
   any.allow_extras();
@@ -138,6 +171,13 @@ std::optional<std::string> unknown_option(std::span<const std::string> words, co
   return std::nullopt;
 }
 
+/// Of words that no command takes.
+std::string not_expected(std::span<const std::string> words, const std::vector<std::string>& further,
+                         const std::optional<Options>& options) {
+  const std::optional<std::string> unknown = options ? unknown_option(words, *options) : std::nullopt;
+  return unknown.value_or(CLI::ExtrasError("", further).what());
+}
+
 /// What is wrong with the command line.
 struct Refusal {
   std::string problem;
@@ -159,7 +199,7 @@ ExitCode Application::run(std::span<const std::string> given, Console& console) 
     return ExitCode::kGood;
   }
   std::vector<std::string> words = in_usual_names({given.begin(), given.end()});
-  const std::vector<std::string> names = command_names(parser_->app);
+  const std::vector<std::string> names = parser_->names();
   const auto is_name = [&names](const std::string& word) { return std::ranges::find(names, word) != names.end(); };
   if (!words.empty() && (!words.front().starts_with('-') || is_standard_input(words.front())) && !is_name(words.front())) {
     if (!is_path(words.front())) {
@@ -170,11 +210,21 @@ ExitCode Application::run(std::span<const std::string> given, Console& console) 
     words.insert(words.begin(), std::ranges::any_of(words, is_target) ? "convert" : "show");
   }
   std::vector<std::string> rest(words.rbegin(), words.rend());  // as CLI11 wants it
+  parser_->given = words;
+  parser_->make_needed();
+  const bool named = !words.empty() && is_name(words.front());
+  const auto usage_refusal = [&](const std::string& problem) {
+    return Refusal{named ? words.front() + ": " + problem : problem,
+                   (named ? "fca-io " + words.front() : "fca-io") + std::string(" --help")};
+  };
   std::optional<Refusal> refusal;
   try {
     parser_->app.parse(rest);
-    const std::optional<std::string> problem = parser_->options ? parser_->options->finish() : std::nullopt;
-    if (problem) refusal = {*problem};
+    if (parser_->app.remaining_size(true) > 0) {
+      refusal = usage_refusal(not_expected(words, parser_->app.remaining(true), parser_->options));
+    } else if (const std::optional<std::string> problem = parser_->options ? parser_->options->finish() : std::nullopt) {
+      refusal = {*problem};
+    }
   } catch (const UsageProblem& problem) {
     refusal = {problem.sentence};
   } catch (const CLI::ParseError& error) {
@@ -184,12 +234,7 @@ ExitCode Application::run(std::span<const std::string> given, Console& console) 
       console.out(text.str());
       return ExitCode::kGood;
     }
-    const bool named = !words.empty() && is_name(words.front());
-    const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-    const std::string problem =
-        (is_extra && parser_->options ? unknown_option(words, *parser_->options) : std::nullopt).value_or(error.what());
-    refusal = {named ? words.front() + ": " + problem : problem,
-               (named ? "fca-io " + words.front() : "fca-io") + std::string(" --help")};
+    refusal = usage_refusal(error.what());
   }
   console.promise_json(parser_->promised_json(rest));
   if (refusal) return console.refuse(ExitCode::kUsage, refusal->problem, refusal->fix);

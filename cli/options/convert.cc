@@ -29,6 +29,7 @@ std::vector<std::string> printed(std::string_view Format::*name) {
 std::optional<std::string> finish(ConvertArguments& arguments) {
   arguments.json = arguments.json || arguments.json_lines;
   arguments.request.in_detail = arguments.json || arguments.verbosity > 0;
+  arguments.request.errors_of_kept = arguments.request.in_detail;
   const std::string extension = std::filesystem::path(arguments.output.path).extension().string();
   if (!extension.empty()) arguments.request.extension = extension;
   return std::nullopt;

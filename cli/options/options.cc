@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <ranges>
+#include <string_view>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -33,7 +35,39 @@ void check(const std::optional<std::string>& problem) {
 /// One value each time, so that what follows is no further one.
 void take_one_each_time(CLI::Option& option) { option.expected(1)->allow_extra_args(false)->take_all(); }
 
+bool is_long(std::string_view name) { return name.starts_with("--"); }
+
+/// "-o" in "-o", "-ofile" and "-vo"
+bool is_of_short_names(std::string_view word) { return word.starts_with('-') && !is_long(word); }
+
+/// May the word be the option, alone or with its value?
+bool may_name(std::string_view word, std::string_view name) {
+  if (is_long(name)) return word.starts_with(name) && (word.size() == name.size() || word[name.size()] == '=');
+  return is_of_short_names(word) && word.find(name.back()) != std::string_view::npos;
+}
+
+bool asks_for_help(std::string_view word) { return may_name(word, "--help") || may_name(word, "-h"); }
+
 }  // namespace
+
+Options::Options(CLI::App& command, std::optional<std::vector<std::string>> words)
+    : command_(command), words_(std::move(words)) {
+  if (words_ && std::ranges::any_of(*words_, asks_for_help)) words_.reset();
+  for (const CLI::Option* option : command_.get_options()) {
+    for (const std::string& name : option->get_lnames()) names_.push_back("--" + name);
+  }
+  group(OptionGroup::kOutput);
+}
+
+bool Options::add_names(const std::string& names) {
+  bool is_named = !words_;
+  for (const auto part : std::views::split(std::string_view(names), ',')) {
+    const std::string_view name(part.begin(), part.end());
+    if (is_long(name)) names_.emplace_back(name);
+    is_named = is_named || std::ranges::any_of(*words_, [name](const std::string& word) { return may_name(word, name); });
+  }
+  return is_named;
+}
 
 void Options::group(OptionGroup group) { command_.option_defaults()->group(std::string(title_of(group))); }
 
@@ -50,6 +84,7 @@ void Options::one_positional(const std::string& name, const std::string& help, s
 }
 
 void Options::value(const std::string& name, const std::string& type, const std::string& help, TakeWord take, OptionKey key) {
+  if (!add_names(name)) return;
   const CLI::Option* const option =
       command_
           .add_option_function<std::string>(
@@ -59,15 +94,18 @@ void Options::value(const std::string& name, const std::string& type, const std:
 }
 
 void Options::value(const std::string& name, const std::string& type, const std::string& help, std::string& target) {
+  if (!add_names(name)) return;
   command_.add_option(name, target, help)->type_name(type);
 }
 
 void Options::number(const std::string& name, const std::string& type, const std::string& help, std::optional<double>& target) {
+  if (!add_names(name)) return;
   command_.add_option(name, target, help)->type_name(type)->check(decimal_number());
 }
 
 void Options::number(const std::string& name, const std::string& type, const std::string& help,
                      std::function<std::optional<std::string>(double)> take) {
+  if (!add_names(name)) return;
   command_
       .add_option_function<double>(
           name, [take = std::move(take)](double number) { check(take(number)); }, help)
@@ -77,6 +115,7 @@ void Options::number(const std::string& name, const std::string& type, const std
 
 void Options::whole_number(const std::string& name, const std::string& type, const std::string& help,
                            std::function<std::optional<std::string>(int)> take) {
+  if (!add_names(name)) return;
   command_
       .add_option_function<int>(
           name, [take = std::move(take)](int number) { check(take(number)); }, help)
@@ -86,10 +125,12 @@ void Options::whole_number(const std::string& name, const std::string& type, con
 
 void Options::count(const std::string& name, const std::string& type, const std::string& help, std::size_t& target, int least,
                     int most) {
+  if (!add_names(name)) return;
   command_.add_option(name, target, help)->type_name(type)->check(whole_number_in(least, most));
 }
 
 void Options::each(const std::string& name, const std::string& type, const std::string& help, TakeWord take) {
+  if (!add_names(name)) return;
   take_one_each_time(*command_
                           .add_option_function<std::vector<std::string>>(
                               name,
@@ -102,14 +143,17 @@ void Options::each(const std::string& name, const std::string& type, const std::
 
 void Options::each(const std::string& name, const std::string& type, const std::string& help,
                    std::vector<std::string>& target) {
+  if (!add_names(name)) return;
   take_one_each_time(*command_.add_option(name, target, help)->type_name(type));
 }
 
 void Options::flag(const std::string& name, const std::string& help, bool& target, OptionKey key) {
+  if (!add_names(name)) return;
   keys_.emplace(command_.add_flag(name, target, help), key);
 }
 
 void Options::count(const std::string& name, const std::string& help, int& target) {
+  if (!add_names(name)) return;
   command_
       .add_flag_function(
           name, [&target](std::int64_t times) { target = static_cast<int>(times); }, help)
@@ -118,6 +162,8 @@ void Options::count(const std::string& name, const std::string& help, int& targe
 
 void Options::flag_pair(const std::string& on, const std::string& on_help, const std::string& off, const std::string& off_help,
                         bool& target) {
+  const bool first_is_named = add_names(on);
+  if (!add_names(off) && !first_is_named) return;
   CLI::Option* const first = command_
                                  .add_flag_function(
                                      on, [](std::int64_t) {}, on_help)
@@ -132,6 +178,7 @@ void Options::flag_pair(const std::string& on, const std::string& on_help, const
 void Options::exclusive_flags(const std::vector<Flag>& flags, const std::string& problem) {
   const auto given = std::make_shared<int>(0);
   for (const Flag& flag : flags) {
+    if (!add_names(flag.name)) continue;
     command_
         .add_flag_function(
             flag.name,
@@ -145,7 +192,9 @@ void Options::exclusive_flags(const std::vector<Flag>& flags, const std::string&
 }
 
 void Options::hide(const std::vector<std::string>& names) {
-  for (const std::string& name : names) command_.get_option(name)->group("");
+  for (const std::string& name : names) {
+    if (CLI::Option* const option = command_.get_option_no_throw(name)) option->group("");
+  }
 }
 
 void Options::footer(const std::string& text) { command_.footer(text); }
@@ -188,14 +237,6 @@ TypedOptions Options::typed() const {
     result.push_back(std::move(typed));
   }
   return result;
-}
-
-std::vector<std::string> Options::names() const {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : command_.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  return names;
 }
 
 }  // namespace fca::cli

@@ -51,7 +51,9 @@ enum class OptionGroup : std::uint8_t { kTarget, kReading, kLens, kProof, kOutpu
 
 class Options {
  public:
-  explicit Options(CLI::App& command) : command_(command) { group(OptionGroup::kOutput); }
+  /// With the words of a command line only those options are defined that one of them may name: to define all takes as long as
+  /// reading a file. Without, all are.
+  explicit Options(CLI::App& command, std::optional<std::vector<std::string>> words = {});
 
   /// What the options that follow are about.
   void group(OptionGroup group);
@@ -108,13 +110,17 @@ class Options {
   [[nodiscard]] TypedOptions typed() const;
   /// Was the flag given, as far as the words were parsed?
   [[nodiscard]] bool has_flag(OptionKey key) const;
-  /// The words that options begin with: "--to".
-  [[nodiscard]] std::vector<std::string> names() const;
+  /// The words that options begin with: "--to"; also of those that no word names.
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
  private:
   [[nodiscard]] OptionKey key_of(const CLI::Option* option) const;
+  /// Remembers an option of those names ("-o,--output"). Is it to be defined?
+  [[nodiscard]] bool add_names(const std::string& names);
 
   CLI::App& command_;
+  std::optional<std::vector<std::string>> words_;  ///< Nothing: every option may be named.
+  std::vector<std::string> names_;
   std::map<const CLI::Option*, OptionKey> keys_;
   std::vector<FinishRequest> finish_;
 };

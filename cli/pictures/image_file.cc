@@ -10,7 +10,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 namespace fca::cli {
 
@@ -29,7 +28,9 @@ std::optional<Image> read_image_file(const std::string& path, Diagnostics& diagn
   if (fs::file_size(path, error) > kLargest) return refuse(Code::kImageFileTooLarge);
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return refuse(Code::kImageUnreadable, {std::strerror(errno)});
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  std::string bytes(fs::file_size(path, error), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
   if (bytes.empty()) return refuse(Code::kImageFileEmpty);
   std::optional<Image> image = decoded(bytes);
   if (!image) diagnostics.add(Code::kNotAnImage, {image_extensions()}, {path, 0, 0});

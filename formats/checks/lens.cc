@@ -4,6 +4,7 @@
 #include <fca/code.h>
 #include <fca/convert/domain.h>
 #include <fca/formats/opencv_coefficients.h>
+#include <fca/rig/covered_image.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +60,7 @@ void check_coverage(const Subject& subject, const Camera& camera, Findings& find
   const ImageSize size = *camera.image_size;
   const double ends = max_angle(camera.model);
   if (ends >= subject.options.max_angle_rad.value_or(std::numbers::pi)) return;
+  if (is_surely_covered(camera.model, size)) return;
   const Uncovered uncovered = uncovered_part(camera);
   if (uncovered.share == 0.0) return;
   const Pixel centre = principal_point(camera.model);

@@ -15,6 +15,7 @@
 #include <fca/convert/domain.h>
 #include <fca/convert/judge.h>
 #include <fca/convert/reach.h>
+#include <fca/rig/covered_image.h>
 
 #include <algorithm>
 #include <chrono>
@@ -110,6 +111,21 @@ internal::Scorer scorer_of(const FitTask& task, const CameraModel& model, double
   return {task.camera.model, &model, nullptr, task.domain, reach_rad};
 }
 
+/// Is the image's every pixel surely scored where the target is the source?
+bool is_surely_whole(const FitTask& task) {
+  return !task.domain.circle && task.domain.why.code == Code::kDomainWholeImage &&
+         is_surely_covered(task.camera.model, task.domain.size);
+}
+
+/// Coverage without errors.
+Judgement whole_image(const Domain& domain) {
+  Judgement result;
+  result.coverage.max_angle_deg = domain.max_angle_rad / kRadiansPerDegree;
+  result.coverage.why = domain.why;
+  result.coverage.scored = 1.0;
+  return result;
+}
+
 /// The conversion if the target can represent the source exactly (up to rounding); nullopt otherwise. Its report mentions no
 /// fit.
 std::optional<Conversion> exact_conversion(const FitTask& task) {
@@ -119,9 +135,13 @@ std::optional<Conversion> exact_conversion(const FitTask& task) {
   Conversion conversion{task.camera, {}};
   conversion.camera.model = *model;
   conversion.report.exact = true;
+  conversion.report.scored_to_deg = scored_to_deg(task, *model, std::numbers::pi);
+  if (!task.options.exact_errors && *model == task.camera.model && is_surely_whole(task)) {
+    conversion.report.judgement = whole_image(task.domain);
+    return conversion;
+  }
   const internal::Scorer scorer = scorer_of(task, *model, std::numbers::pi);
   conversion.report.judgement = final_judgement(task, scorer, internal::score_on_lattice(scorer));
-  conversion.report.scored_to_deg = scored_to_deg(task, *model, std::numbers::pi);
   return conversion;
 }
 

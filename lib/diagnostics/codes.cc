@@ -10,65 +10,82 @@ namespace fca {
 
 namespace {
 
-/// The rows of all topics, sorted by their codes.
+/// The rows of all topics.
+auto topics() {
+  return std::array{
+      diagnostics::rig_codes(),
+      diagnostics::command_codes(),
+      diagnostics::loss_codes(),
+      diagnostics::dso_codes(),
+      diagnostics::imu_codes(),
+      diagnostics::limit_codes(),
+      diagnostics::conversion_codes(),
+      diagnostics::comparison_codes(),
+      diagnostics::syntax_codes(),
+      diagnostics::field_codes(),
+      diagnostics::file_codes(),
+      diagnostics::kalibr_codes(),
+      diagnostics::openvins_codes(),
+      diagnostics::tumvi_codes(),
+      diagnostics::ocamcalib_codes(),
+      diagnostics::woodscape_codes(),
+      diagnostics::opencv_codes(),
+      diagnostics::basalt_codes(),
+      diagnostics::table_codes(),
+      diagnostics::slam_codes(),
+      diagnostics::device_codes(),
+      diagnostics::sensor_codes(),
+      diagnostics::mrcal_codes(),
+      diagnostics::uncertainty_codes(),
+      diagnostics::colmap_codes(),
+      diagnostics::nerf_codes(),
+      diagnostics::orbslam3_codes(),
+      diagnostics::vins_codes(),
+      diagnostics::ros_codes(),
+      diagnostics::kalibr_program_codes(),
+      diagnostics::openvins_program_codes(),
+      diagnostics::storage_program_codes(),
+      diagnostics::ros_program_codes(),
+      diagnostics::vins_program_codes(),
+      diagnostics::basalt_program_codes(),
+      diagnostics::sensor_program_codes(),
+      diagnostics::mrcal_program_codes(),
+      diagnostics::colmap_program_codes(),
+      diagnostics::nerf_program_codes(),
+      diagnostics::opencv_program_codes(),
+      diagnostics::ocamcalib_program_codes(),
+      diagnostics::woodscape_program_codes(),
+      diagnostics::orbslam_program_codes(),
+      diagnostics::proof_codes(),
+      diagnostics::file_check_codes(),
+      diagnostics::lens_check_codes(),
+      diagnostics::pose_check_codes(),
+      diagnostics::general_codes(),
+      diagnostics::reading_codes(),
+      diagnostics::convert_codes(),
+      diagnostics::request_codes(),
+      diagnostics::verdict_codes(),
+  };
+}
+
+/// The same, sorted by their codes.
 std::vector<CodeInfo> joined_topics() {
   std::vector<CodeInfo> rows;
-  for (const std::span<const CodeInfo> topic : {
-           diagnostics::rig_codes(),
-           diagnostics::command_codes(),
-           diagnostics::loss_codes(),
-           diagnostics::dso_codes(),
-           diagnostics::imu_codes(),
-           diagnostics::limit_codes(),
-           diagnostics::conversion_codes(),
-           diagnostics::comparison_codes(),
-           diagnostics::syntax_codes(),
-           diagnostics::field_codes(),
-           diagnostics::file_codes(),
-           diagnostics::kalibr_codes(),
-           diagnostics::openvins_codes(),
-           diagnostics::tumvi_codes(),
-           diagnostics::ocamcalib_codes(),
-           diagnostics::woodscape_codes(),
-           diagnostics::opencv_codes(),
-           diagnostics::basalt_codes(),
-           diagnostics::table_codes(),
-           diagnostics::slam_codes(),
-           diagnostics::device_codes(),
-           diagnostics::sensor_codes(),
-           diagnostics::mrcal_codes(),
-           diagnostics::uncertainty_codes(),
-           diagnostics::colmap_codes(),
-           diagnostics::nerf_codes(),
-           diagnostics::orbslam3_codes(),
-           diagnostics::vins_codes(),
-           diagnostics::ros_codes(),
-           diagnostics::kalibr_program_codes(),
-           diagnostics::openvins_program_codes(),
-           diagnostics::storage_program_codes(),
-           diagnostics::ros_program_codes(),
-           diagnostics::vins_program_codes(),
-           diagnostics::basalt_program_codes(),
-           diagnostics::sensor_program_codes(),
-           diagnostics::mrcal_program_codes(),
-           diagnostics::colmap_program_codes(),
-           diagnostics::nerf_program_codes(),
-           diagnostics::opencv_program_codes(),
-           diagnostics::ocamcalib_program_codes(),
-           diagnostics::woodscape_program_codes(),
-           diagnostics::orbslam_program_codes(),
-           diagnostics::proof_codes(),
-           diagnostics::file_check_codes(),
-           diagnostics::lens_check_codes(),
-           diagnostics::pose_check_codes(),
-           diagnostics::general_codes(),
-           diagnostics::reading_codes(),
-           diagnostics::convert_codes(),
-           diagnostics::request_codes(),
-           diagnostics::verdict_codes(),
-       })
-    rows.insert(rows.end(), topic.begin(), topic.end());
+  for (const std::span<const CodeInfo> topic : topics()) rows.insert(rows.end(), topic.begin(), topic.end());
   std::ranges::stable_sort(rows, {}, &CodeInfo::code);
+  return rows;
+}
+
+/// The rows by their codes; null: none. Most commands ask for a few, and sorting all takes as long as reading a file.
+std::vector<const CodeInfo*> rows_by_code() {
+  std::vector<const CodeInfo*> rows;
+  for (const std::span<const CodeInfo> topic : topics()) {
+    for (const CodeInfo& row : topic) {
+      const auto place = static_cast<std::size_t>(row.code);
+      if (place >= rows.size()) rows.resize(place + 1);
+      if (rows[place] == nullptr) rows[place] = &row;
+    }
+  }
   return rows;
 }
 
@@ -86,9 +103,9 @@ const CodeInfo* find_code(std::string_view id) {
 
 const CodeInfo& info(Code code) {
   static constexpr CodeInfo kNothing = {.code = Code::kNone, .id = "", .text = ""};
-  const std::span<const CodeInfo> rows = all_codes();
-  const auto row = std::ranges::lower_bound(rows, code, {}, &CodeInfo::code);
-  return row != rows.end() && row->code == code ? *row : kNothing;
+  static const std::vector<const CodeInfo*> rows = rows_by_code();
+  const auto place = static_cast<std::size_t>(code);
+  return place < rows.size() && rows[place] != nullptr ? *rows[place] : kNothing;
 }
 
 }  // namespace fca

@@ -60,7 +60,9 @@ std::optional<Circle> vote(const std::vector<Steps>& all, const IsPlausible& is_
   for (int trial = 0; trial < kTrials; ++trial) {
     const std::optional<Circle> circle = circle_through(steps[index(random)], steps[index(random)], steps[index(random)]);
     if (!circle || !is_plausible(*circle)) continue;
-    const double length = circle->radius * parts_seen(*circle, steps_on(*circle, all));
+    const std::vector<Pixel> on = steps_on(*circle, all);
+    if (circle->radius * static_cast<double>(on.size()) <= longest) continue;  // no more parts are seen than steps
+    const double length = circle->radius * parts_seen(*circle, on);
     if (length <= longest) continue;
     longest = length;
     best = circle;

@@ -42,17 +42,36 @@ std::optional<double> dark_share_beyond(const Circle& circle, const GreyView& vi
   constexpr double kBlur = 3.0;  // px
   constexpr double kNextToNothing = 5e-4;
   const GreyImage& image = view.image();
-  double beyond = 0.0;
-  double dark = 0.0;
+  std::ptrdiff_t beyond = 0;
+  std::ptrdiff_t dark = 0;
+  const auto is_dark = [&levels](float sample) { return sample <= levels.threshold; };
   for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column) {
-      if (circle.distance({static_cast<double>(column), static_cast<double>(row)}) <= kBlur) continue;
-      beyond += 1.0;
-      if (view.at(column, row) <= levels.threshold) dark += 1.0;
-    }
+    const auto samples = image.samples.begin() + std::ptrdiff_t{row} * image.width;
+    const auto count = [&](int from, int to) {
+      for (int column = from; column < to; ++column) {
+        if (circle.distance({static_cast<double>(column), static_cast<double>(row)}) <= kBlur) continue;
+        ++beyond;
+        if (is_dark(samples[column])) ++dark;
+      }
+    };
+    // A chord of the circle about the same centre that is larger by the blur. A pixel and more from its ends no distance need
+    // be computed.
+    const double off = row - circle.centre[1];
+    const double half = std::sqrt(std::max(0.0, std::pow(circle.radius + kBlur, 2) - off * off));
+    const auto in_image = [&image](double column) {
+      return static_cast<int>(std::clamp(column, 0.0, static_cast<double>(image.width)));
+    };
+    const int left = in_image(std::floor(circle.centre[0] - half) - 1.0);
+    const int right = std::max(left, in_image(std::ceil(circle.centre[0] + half) + 2.0));
+    const int inside = std::clamp(in_image(std::ceil(circle.centre[0] - half) + 2.0), left, right);
+    const int inside_end = std::clamp(in_image(std::floor(circle.centre[0] + half) - 1.0), inside, right);
+    beyond += left + (image.width - right);
+    dark += std::count_if(samples, samples + left, is_dark) + std::count_if(samples + right, samples + image.width, is_dark);
+    count(left, inside);
+    count(inside_end, right);
   }
-  if (beyond < kNextToNothing * static_cast<double>(image.samples.size())) return std::nullopt;
-  return dark / beyond;
+  if (static_cast<double>(beyond) < kNextToNothing * static_cast<double>(image.samples.size())) return std::nullopt;
+  return static_cast<double>(dark) / static_cast<double>(beyond);
 }
 
 /// What the light falls by at the rim, of what it falls by around it, where steps lie on it.

@@ -1,18 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lit_steps.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <numbers>
-#include <utility>
+#include <span>
 
 namespace fca::internal {
 
 namespace {
 
-float percentile(std::vector<float> values, double share) {
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
+float nth(std::vector<float> values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::ranges::nth_element(values, at);
+  return *at;
+}
+
+/// The bits of a number such that they are in the order of numbers.
+std::uint32_t in_order(float value) {
+  constexpr std::uint32_t kSign = 0x8000'0000;
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  const bool is_negative = (bits & kSign) != 0;
+  return bits ^ (kSign | (0U - static_cast<std::uint32_t>(is_negative)));
+}
+
+/// The value below which that share of the values lies. In two steps, of which the second sees next to none of them: sorting as
+/// far as that value would move all.
+float percentile(std::span<const float> values, double share) {
+  constexpr int kBits = 16;
+  if (values.size() < std::size_t{1} << kBits) return nth(std::vector(values.begin(), values.end()), share);
+  std::vector<std::size_t> bins(std::size_t{1} << kBits);
+  for (const float value : values) ++bins[in_order(value) >> kBits];
+  auto at = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
+  std::size_t bin = 0;
+  for (; at >= bins[bin]; ++bin) at -= bins[bin];
+  std::vector<float> same;
+  same.reserve(bins[bin]);
+  std::ranges::copy_if(values, std::back_inserter(same), [bin](float value) { return in_order(value) >> kBits == bin; });
+  const auto place = same.begin() + static_cast<std::ptrdiff_t>(at);
+  std::ranges::nth_element(same, place);
+  return *place;
 }
 
 /// Where on the way in, from the first lit sample on, half the light is reached that falls a little further in: blur leaves
@@ -31,20 +61,44 @@ double half_lit(const GreyView& view, const Levels& levels, const Place& place, 
   return first + 0.5;
 }
 
-/// Means of 2 `reach` + 1 samples along a line of `count` that lie `stride` apart; fewer at its ends.
-void smooth_line(const float* from, float* to, int count, std::ptrdiff_t stride, int reach) {
+/// Means of 2 `reach` + 1 samples along a row of `count`; fewer at its ends.
+void smooth_row(const float* from, float* to, int count, int reach) {
   double sum = 0.0;
   int samples = 0;
   for (int i = -reach; i < count; ++i) {
     if (i + reach < count) {
-      sum += from[(i + reach) * stride];
+      sum += from[i + reach];
       ++samples;
     }
     if (i - reach > 0) {
-      sum -= from[(i - reach - 1) * stride];
+      sum -= from[i - reach - 1];
       --samples;
     }
-    if (i >= 0) to[i * stride] = static_cast<float>(sum / samples);
+    if (i >= 0) to[i] = static_cast<float>(sum / samples);
+  }
+}
+
+/// The same along all columns, row by row: what lies in memory one after the other is read so.
+void smooth_columns(const float* from, float* to, int width, int height, int reach) {
+  const auto columns = static_cast<std::size_t>(width);
+  std::vector<double> sums(columns);
+  const auto row_of = [&](int row) { return static_cast<std::size_t>(row) * columns; };
+  int samples = 0;
+  for (int row = -reach; row < height; ++row) {
+    if (row + reach < height) {
+      const float* const next = from + row_of(row + reach);
+      for (std::size_t i = 0; i < columns; ++i) sums[i] += next[i];
+      ++samples;
+    }
+    if (row - reach > 0) {
+      const float* const last = from + row_of(row - reach - 1);
+      for (std::size_t i = 0; i < columns; ++i) sums[i] -= last[i];
+      --samples;
+    }
+    if (row < 0) continue;
+    float* const means = to + row_of(row);
+    const double count = samples;
+    for (std::size_t i = 0; i < columns; ++i) means[i] = static_cast<float>(sums[i] / count);
   }
 }
 
@@ -56,11 +110,10 @@ GreyImage smoothed(const GreyImage& image) {
   GreyImage along_rows = image;
   for (std::ptrdiff_t row = 0; row < image.height; ++row) {
     const std::ptrdiff_t first = row * image.width;
-    smooth_line(image.samples.data() + first, along_rows.samples.data() + first, image.width, 1, reach);
+    smooth_row(image.samples.data() + first, along_rows.samples.data() + first, image.width, reach);
   }
   GreyImage result = along_rows;
-  for (int column = 0; column < image.width; ++column)
-    smooth_line(along_rows.samples.data() + column, result.samples.data() + column, image.height, image.width, reach);
+  smooth_columns(along_rows.samples.data(), result.samples.data(), image.width, image.height, reach);
   return result;
 }
 
@@ -79,7 +132,7 @@ std::optional<Levels> levels_of(const GreyView& view, double bright_share) {
       if (black && median >= *black) continue;
       black = median;
       for (float& value : corner) value = std::abs(value - median);
-      noise = 1.4826F * percentile(std::move(corner), 0.5);
+      noise = 1.4826F * percentile(corner, 0.5);
     }
   }
   const float bright = percentile(image.samples, 1.0 - bright_share);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/rig/rig.h>
 
+#include "frame_graph.h"
+
 #include <algorithm>
-#include <deque>
-#include <map>
 
 namespace fca {
 
@@ -56,27 +56,11 @@ const Transform* Rig::stated(std::string_view a, std::string_view b) const {
 }
 
 std::optional<Transform> Rig::resolve(std::string_view a, std::string_view b) const {
-  // Breadth-first from a: reached[x] = T_a_x.
-  std::map<std::string, Transform, std::less<>> reached;
-  reached.emplace(a, Transform{});
-  std::deque<std::string> queue = {std::string(a)};
-  while (!queue.empty()) {
-    const std::string here = queue.front();
-    queue.pop_front();
-    const Transform T_a_here = reached.at(here);
-    if (here == b) return T_a_here;
-    for (const PoseEdge& edge : poses) {
-      const bool forwards = edge.a == here;
-      if (!forwards && edge.b != here) continue;
-      const std::string& next = forwards ? edge.b : edge.a;
-      if (reached.contains(next)) continue;
-      const std::optional<Transform> T_here_next = forwards ? std::optional(edge.T_a_b) : inverse(edge.T_a_b);
-      if (!T_here_next) continue;
-      reached.emplace(next, T_a_here * *T_here_next);
-      queue.push_back(next);
-    }
-  }
-  return std::nullopt;
+  if (a == b) return Transform{};
+  const internal::FrameGraph graph(poses);
+  const std::optional<std::size_t> from = graph.find(a);
+  const std::optional<std::size_t> to = graph.find(b);
+  return from && to ? graph.from(*from, to).at(*to) : std::nullopt;
 }
 
 }  // namespace fca

@@ -4,6 +4,7 @@
 #include "parallel_for.h"
 
 #include <fca/code.h>
+#include <fca/convert/least_error.h>
 #include <fca/convert/reach.h>
 
 #include <algorithm>
@@ -90,6 +91,7 @@ std::optional<ConvertedCamera> convert_one(const Camera& camera, const StoredMod
   if (keeps(camera, stored, choice) && !camera.image_size && validate(camera.model).empty())
     return ConvertedCamera{camera, camera, std::nullopt};
   ConvertOptions options = options_for(stored, choice);
+  options.exact_errors = choice.errors_of_kept;
   std::optional<Conversion> conversion = converted(camera, options, choice, diagnostics);
   if (!conversion) return std::nullopt;
   return ConvertedCamera{camera, std::move(conversion->camera), std::move(conversion->report)};
@@ -180,8 +182,26 @@ bool is_good_everywhere(const std::vector<ConvertedCamera>& outcomes) {
   });
 }
 
+/// True if a fit of the model to the whole lens is known to be worse than `outcomes`, which are of another model and good on
+/// the whole image: no camera of that model comes as near (least_rms_px).
+bool surely_loses(const std::vector<Camera>& cameras, const StoredModel& stored, const std::vector<ConvertedCamera>& outcomes,
+                  const ModelChoice& choice) {
+  constexpr double kClearly = 4.0;      // times: the limit is that of a few pixels
+  constexpr double kNobodySees = 1e-5;  // px
+  const ConvertRequest& request = choice.request;
+  if (request.objective != Objective::kRms || request.weight != WeightKind::kPixel || request.absorb_turn) return false;
+  const Merit merit = merit_of(outcomes, request.objective);
+  if (merit.unrepresentable != 0.0 || !is_good_everywhere(outcomes)) return false;
+  const double limit_px = std::max(kClearly * std::sqrt(merit.square_sum), kNobodySees);
+  return std::ranges::any_of(cameras, [&](const Camera& camera) {
+    const std::optional<double> least_px = least_rms_px(camera, stored.model, request.inputs.max_angle_rad);
+    return least_px && *least_px > limit_px;
+  });
+}
+
 /// Fits all cameras with the best model that may be chosen. A model that sees only ahead is not tried if another covers what is
 /// behind, and not fitted to a cone if another is good everywhere: that fit is the slowest of all.
+/// A model is not fitted at all if none of its cameras can be as good as a fit that is good everywhere.
 std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>& cameras, const Format& format,
                                                        const ModelChoice& choice, Diagnostics& diagnostics) {
   struct Candidate {
@@ -197,6 +217,7 @@ std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>
   double uncovered = std::numeric_limits<double>::infinity();
   double behind = 0.0;
   ModelChoice next = choice;
+  next.errors_of_kept = true;  // what candidates are told apart by
   const auto try_out = [&](Candidate& candidate) {
     candidate.tried = true;
     candidate.outcomes = convert_all(cameras, *candidate.stored, next, candidate.diagnostics);
@@ -208,8 +229,13 @@ std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>
   for (Candidate& candidate : candidates) {
     if (!sees_ahead_only(candidate.stored->model)) try_out(candidate);
   }
+  const auto is_hopeless = [&](const Candidate& candidate) {
+    return next.partial == Partial::kNothing && std::ranges::any_of(candidates, [&](const Candidate& other) {
+             return other.outcomes && surely_loses(cameras, *candidate.stored, *other.outcomes, choice);
+           });
+  };
   for (Candidate& candidate : candidates) {
-    if (!candidate.tried && !(behind > uncovered + kSameCoverage)) try_out(candidate);
+    if (!candidate.tried && !(behind > uncovered + kSameCoverage) && !is_hopeless(candidate)) try_out(candidate);
   }
   const Candidate* best = nullptr;
   const Candidate* failed = nullptr;

@@ -27,6 +27,7 @@ struct ModelChoice {
   std::vector<std::string> among = {};  ///< Ids of the models that may be chosen; empty: those that the stock program reads.
   Partial partial = Partial::kCone;
   KnownConversions* known = nullptr;  ///< A cache of conversions of the same request; null: none.
+  bool errors_of_kept = true;         ///< As in the request.
   bool same_format = false;           ///< The cameras come from a file of the format they are written to.
 };
 

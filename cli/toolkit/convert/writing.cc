@@ -247,6 +247,7 @@ void Writing::prove() {
 ModelChoice choice_of(const ConvertRequest& request, const Start& start, const Format& to) {
   ModelChoice choice{.request = request};
   choice.known = start.known.get();
+  choice.errors_of_kept = request.errors_of_kept || !start.input.rig.uncertainties.empty();
   choice.among =
       request.layout ? models_of_layout(to, request.layout->name()) : models_for(request, start.base, start.input.rig, to);
   const bool is_fresh = start.base.document == nullptr && to.cameras_held != nullptr;

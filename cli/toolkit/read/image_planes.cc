@@ -5,30 +5,38 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <span>
+#include <type_traits>
 
 namespace fca {
 
 namespace {
 
+/// One channel, whose samples are of type T.
 template <class T>
-float sample_as(const Image& image, std::size_t index) {
-  T value{};
-  std::memcpy(&value, &image.bytes[index * sizeof(T)], sizeof(T));
-  return static_cast<float>(value);
+void put_samples(const Image& image, std::size_t channel, std::span<float> samples) {
+  const std::uint8_t* from = image.bytes.data() + channel * sizeof(T);
+  const std::size_t stride = static_cast<std::size_t>(image.channels) * sizeof(T);
+  for (float& sample : samples) {
+    T value{};
+    std::memcpy(&value, from, sizeof(T));
+    from += stride;
+    sample = static_cast<float>(value);
+    if constexpr (std::is_floating_point_v<T>) sample = std::isfinite(sample) ? sample : 0.0F;
+  }
 }
 
-float sample_at(const Image& image, std::size_t index) {
+void put_samples(const Image& image, std::size_t channel, std::span<float> samples) {
   switch (image.sample) {
     case Image::Sample::k8Bit:
-      return sample_as<std::uint8_t>(image, index);
+      return put_samples<std::uint8_t>(image, channel, samples);
     case Image::Sample::k16Bit:
-      return sample_as<std::uint16_t>(image, index);
+      return put_samples<std::uint16_t>(image, channel, samples);
     case Image::Sample::kFloat:
-      break;
+      return put_samples<float>(image, channel, samples);
   }
-  const auto value = sample_as<float>(image, index);
-  return std::isfinite(value) ? value : 0.0F;
 }
 
 /// The level of white. Floating-point samples have no largest value: the image's own is taken, at least 1. Sensors of 10, 12 or
@@ -51,11 +59,8 @@ std::vector<GreyImage> planes(const Image& image) {
   std::vector<GreyImage> result;
   for (int colour = 0; colour < colours; ++colour) {
     GreyImage& plane = result.emplace_back(GreyImage{image.width, image.height, 0.0F, {}});
-    plane.samples.reserve(pixels);
-    for (std::size_t i = 0; i < pixels; ++i) {
-      plane.samples.push_back(
-          sample_at(image, i * static_cast<std::size_t>(image.channels) + static_cast<std::size_t>(colour)));
-    }
+    plane.samples.resize(pixels);
+    put_samples(image, static_cast<std::size_t>(colour), plane.samples);
   }
   const float full_scale = full_scale_of(image, result);
   for (GreyImage& plane : result) plane.full_scale = full_scale;

@@ -28,7 +28,7 @@ void add_pixels(const Scorer& scorer, Summary& summary) {
         batch.v[count] = static_cast<double>(y);
       }
       scorer.score(batch, count);
-      summary.add(batch, count);
+      summary.add_pixels(batch, count);
     }
   }
 }

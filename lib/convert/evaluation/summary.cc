@@ -33,22 +33,23 @@ Summary::Summary(int bins_per_octave)
 
 /// The leading bits of a double (its exponent and the first bits of its mantissa) number bins of nearly equal ratio, without
 /// the cost of a logarithm.
-void Summary::find_bins(const Batch& batch, std::size_t count, BinsOfPoints& found) const {
+void Summary::find_bins(const Batch::Lane& errors, std::size_t count, BinOfPoints& found) const {
   const int shift = kMantissaBits - bin_bits_;
   const auto first = static_cast<std::int32_t>((kExponentBias + kSmallestOctave) << bin_bits_);
   const auto last = static_cast<std::int32_t>(bins_.size()) - 1;
-  const auto bin_of = [&](double error) {
-    const auto leading = static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(error) >> shift);
-    return std::clamp(leading - first, 0, last);
-  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto leading = static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(errors[i]) >> shift);
+    found[i] = std::clamp(leading - first, 0, last);
+  }
+}
+
+void Summary::find_bins(const Batch& batch, std::size_t count, BinsOfPoints& found) const {
   for (std::size_t i = 0; i < count; ++i) {
     found.low[i] = std::abs(batch.error[i] - 0.5 * batch.spread[i]);
     found.high[i] = batch.error[i] + 0.5 * batch.spread[i];
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    found.low_bin[i] = bin_of(found.low[i]);
-    found.high_bin[i] = bin_of(found.high[i]);
-  }
+  find_bins(found.low, count, found.low_bin);
+  find_bins(found.high, count, found.high_bin);
 }
 
 double Summary::worst_threshold() const { return worst_.size() == kWorst ? worst_.back().error : -1.0; }
@@ -67,9 +68,56 @@ std::size_t Summary::band_of(double cosine) const {
 void Summary::add(const Batch& batch, std::size_t count) {
   BinsOfPoints in;
   find_bins(batch, count, in);
+  Bin* const bins = bins_.data();
+  add_bands(batch, count, [&](std::size_t begin, std::size_t end, Band& sums) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double half = 0.5 * batch.weight[i];
+      Bin& low = bins[in.low_bin[i]];
+      low.weight += half;
+      low.sum += half * in.low[i];
+      Bin& high = bins[in.high_bin[i]];
+      high.weight += half;
+      high.sum += half * in.high[i];
+    }
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double weighted = batch.weight[i] * batch.error[i];
+      sums.weight += batch.weight[i];
+      sum += weighted;
+      sums.square += weighted * batch.error[i];
+      sums.max = std::max(sums.max, batch.error[i]);
+    }
+    sum_ += sum;
+  });
+}
+
+void Summary::add_pixels(const Batch& batch, std::size_t count) {
+  BinOfPoints bin;
+  find_bins(batch.error, count, bin);
+  Bin* const bins = bins_.data();
+  add_bands(batch, count, [&](std::size_t begin, std::size_t end, Band& sums) {
+    // In the order in which add() rounds.
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double error = batch.error[i];
+      const double half = 0.5 * error;
+      Bin& both = bins[bin[i]];
+      both.weight += 1.0;
+      both.sum = (both.sum + half) + half;
+      sum += error;
+      sums.square += error * error;
+      sums.max = std::max(sums.max, error);
+    }
+    sums.weight = static_cast<double>(end - begin);
+    sum_ += sum;
+  });
+}
+
+template <class AddPoints>
+void Summary::add_bands(const Batch& batch, std::size_t count, const AddPoints& add_points) {
   for (std::size_t i = 0; i < count;) {
     if (batch.verdict[i] == Verdict::kScored) {
-      i = add_band(batch, i, count, in);
+      i = add_band(batch, i, count, add_points);
       continue;
     }
     const auto verdict = static_cast<std::size_t>(batch.verdict[i]);
@@ -81,37 +129,20 @@ void Summary::add(const Batch& batch, std::size_t count) {
 
 /// Adds consecutive scored points that are in the band of the first one, number `begin`, and returns the index after the last
 /// of them. Neighbours are mostly in one band, so that this runs in long loops.
-std::size_t Summary::add_band(const Batch& batch, std::size_t begin, std::size_t count, const BinsOfPoints& in) {
+template <class AddPoints>
+std::size_t Summary::add_band(const Batch& batch, std::size_t begin, std::size_t count, const AddPoints& add_points) {
   const std::size_t at = band_of(batch.z[begin]);
   const double from = at > 0 ? band_cosine_[at - 1] : kAnyCosine;
   const double to = band_cosine_[at];
   std::size_t end = begin + 1;
   while (end < count && batch.z[end] <= from && batch.z[end] > to && batch.verdict[end] == Verdict::kScored) ++end;
-  Bin* const bins = bins_.data();
-  for (std::size_t i = begin; i < end; ++i) {
-    const double half = 0.5 * batch.weight[i];
-    Bin& low = bins[in.low_bin[i]];
-    low.weight += half;
-    low.sum += half * in.low[i];
-    Bin& high = bins[in.high_bin[i]];
-    high.weight += half;
-    high.sum += half * in.high[i];
-  }
   Band sums;
-  double sum = 0.0;
-  for (std::size_t i = begin; i < end; ++i) {
-    const double weighted = batch.weight[i] * batch.error[i];
-    sums.weight += batch.weight[i];
-    sum += weighted;
-    sums.square += weighted * batch.error[i];
-    sums.max = std::max(sums.max, batch.error[i]);
-  }
+  add_points(begin, end, sums);
   Band& band = bands_[at];
   band.weight += sums.weight;
   band.square += sums.square;
   band.max = std::max(band.max, sums.max);
   band.count += static_cast<long long>(end - begin);
-  sum_ += sum;
   if (sums.max > worst_threshold()) {
     for (std::size_t i = begin; i < end; ++i) {
       if (batch.error[i] > worst_threshold()) keep_worst(batch.point(i));

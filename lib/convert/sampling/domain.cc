@@ -4,6 +4,7 @@
 #include "../../models/kernels/batch.h"
 
 #include <fca/code.h>
+#include <fca/rig/covered_image.h>
 #include <fca/rig/limits.h>
 
 #include <algorithm>
@@ -99,6 +100,7 @@ class RayLattice {
 /// True if sampled pixels of the whole border have rays. If not, the lens ends inside the image.
 bool border_is_covered(const Lens& lens, const ImageSize& size) {
   constexpr int kSteps = 64;
+  if (lens.model() != nullptr && is_surely_covered(*lens.model(), size)) return true;
   const double width = size.width - 1.0;
   const double height = size.height - 1.0;
   for (int i = 0; i <= kSteps; ++i) {

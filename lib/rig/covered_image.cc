@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/rig/covered_image.h>
+
+#include <array>
+#include <type_traits>
+#include <variant>
+
+namespace fca {
+
+namespace {
+
+bool is_round(const CameraModel& model) {
+  return std::visit(
+      []<class M>(const Intrinsics<M>& /*model*/) {
+        return std::is_same_v<M, Pinhole> || std::is_same_v<M, Kb4> || std::is_same_v<M, Ucm> || std::is_same_v<M, Eucm> ||
+               std::is_same_v<M, Ds> || std::is_same_v<M, Fov>;
+      },
+      model);
+}
+
+}  // namespace
+
+bool is_surely_covered(const CameraModel& model, const ImageSize& size) {
+  if (!is_round(model)) return false;
+  const double right = size.width - 1.0;
+  const double bottom = size.height - 1.0;
+  const std::array<Pixel, 4> corners = {{{0.0, 0.0}, {right, 0.0}, {0.0, bottom}, {right, bottom}}};
+  for (const Pixel& corner : corners) {
+    if (!unproject(model, corner)) return false;
+  }
+  return true;
+}
+
+}  // namespace fca

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The limit below which no fit comes, against fits, and against cameras of the model.
+#include "known_cameras.h"
+
+#include <fca/convert/convert.h>
+#include <fca/convert/least_error.h>
+
+#include <gtest/gtest.h>
+
+namespace fca::test {
+namespace {
+
+constexpr double kAngle = 50.0 * kRadians;
+
+std::vector<Camera> wide_cameras() {
+  return {make_camera(Intrinsics<Ds>{{380.8, 380.9, 510.3, 514.3, -0.24, 0.56}}, {1024, 1024}),
+          make_camera(Intrinsics<Kb4>{{190.9, 190.8, 254.9, 256.9, 0.0034, 0.0007, -0.002, 0.0002}}, {512, 512}),
+          make_camera(Intrinsics<Eucm>{{460.8, 459.5, 365.9, 249.3, 0.6, 1.1}}, {752, 480})};
+}
+
+TEST(LeastRms, NoFitIsBetter) {
+  for (const Camera& camera : wide_cameras()) {
+    for (const char* model : {"pinhole", "radtan"}) {
+      ConvertOptions options;
+      options.model = model;
+      options.max_angle_rad = kAngle;
+      Diagnostics diagnostics;
+      const std::optional<Conversion> fit = convert(camera, options, diagnostics);
+      ASSERT_TRUE(fit);
+      const std::optional<double> least = least_rms_px(camera, model, kAngle);
+      ASSERT_TRUE(least);
+      EXPECT_GT(*least, 1e-4) << model;
+      // Means over other pixels differ by a few per cent.
+      EXPECT_LE(*least, 1.3 * fit->report.judgement.error.rms) << model << " from " << fit->report.from_model;
+    }
+  }
+}
+
+TEST(LeastRms, IsNothingOfACameraOfTheModel) {
+  const Camera camera =
+      make_camera(Intrinsics<Radtan>{{458.6, 457.2, 367.2, 248.4, -0.2834, 0.0739, 0.0002, 0.00002, 0.01}}, {752, 480});
+  const std::optional<double> least = least_rms_px(camera, "radtan", std::nullopt);
+  ASSERT_TRUE(least);
+  EXPECT_LT(*least, 1e-8);
+}
+
+TEST(LeastRms, IsNotKnownOfOtherModelsAndBehindTheCamera) {
+  const Camera camera = wide_cameras()[1];
+  EXPECT_EQ(least_rms_px(camera, "kb4", kAngle), std::nullopt);
+  EXPECT_EQ(least_rms_px(camera, "rational", kAngle), std::nullopt);
+  EXPECT_EQ(least_rms_px(camera, "radtan", std::nullopt), std::nullopt);
+  Camera without_size = camera;
+  without_size.image_size.reset();
+  EXPECT_EQ(least_rms_px(without_size, "radtan", kAngle), std::nullopt);
+}
+
+TEST(ExactErrors, AreLeftOutOnlyOfTheSameModelAndAWholeImage) {
+  ConvertOptions options;
+  options.model = "kb4";
+  Diagnostics diagnostics;
+  const Camera camera = wide_cameras()[1];
+  const std::optional<Conversion> with = convert(camera, options, diagnostics);
+  options.exact_errors = false;
+  const std::optional<Conversion> without = convert(camera, options, diagnostics);
+  ASSERT_TRUE(with && without);
+  const Coverage& full = with->report.judgement.coverage;
+  const Coverage& alone = without->report.judgement.coverage;
+  EXPECT_FALSE(with->report.judgement.bands.empty());
+  EXPECT_TRUE(without->report.judgement.bands.empty());
+  EXPECT_EQ(full.scored, alone.scored);
+  EXPECT_EQ(full.outside_lens, alone.outside_lens);
+  EXPECT_EQ(full.unrepresentable, alone.unrepresentable);
+  EXPECT_EQ(full.max_angle_deg, alone.max_angle_deg);
+  EXPECT_EQ(full.why, alone.why);
+  EXPECT_EQ(with->report.scored_to_deg, without->report.scored_to_deg);
+  options.max_angle_rad = kAngle;
+  const std::optional<Conversion> cut = convert(camera, options, diagnostics);
+  ASSERT_TRUE(cut);
+  EXPECT_LT(cut->report.judgement.coverage.scored, 1.0);
+}
+
+}  // namespace
+}  // namespace fca::test

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Short cuts of searches over a rig, against the search that looks at everything.
+#include "../convert/random_model.h"
+
+#include <fca/rig/covered_image.h>
+#include <fca/rig/stereo_pair.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace fca::test {
+namespace {
+
+constexpr ImageSize kSize = {640, 480};
+
+/// Cameras in a chain, each turned and moved a little from the last; few have one lens and no turn.
+Rig random_rig(unsigned seed, int cameras) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> turn(-0.4, 0.4);
+  std::uniform_int_distribution<int> one_in_three(0, 2);
+  Rig rig;
+  for (int i = 0; i < cameras; ++i) {
+    const double focal = one_in_three(random) == 0 ? 300.0 : 300.0 + 100.0 * turn(random);
+    rig.cameras.push_back(
+        {"cam" + std::to_string(i), kSize, Intrinsics<Kb4>{{focal, focal, 319.5, 239.5, 0, 0, 0, 0}}, {}, {}, {}});
+    if (i == 0) continue;
+    const double angle = one_in_three(random) == 0 ? 0.0 : turn(random);
+    PoseEdge edge{"cam" + std::to_string(i), "cam" + std::to_string(i - 1), {}};
+    edge.T_a_b(0, 0) = edge.T_a_b(2, 2) = std::cos(angle);
+    edge.T_a_b(0, 2) = -std::sin(angle);
+    edge.T_a_b(2, 0) = std::sin(angle);
+    edge.T_a_b(0, 3) = -0.1;
+    rig.poses.push_back(edge);
+  }
+  return rig;
+}
+
+bool is_rectified(const Rig& rig, const Camera& a, const Camera& b) {
+  const std::optional<Transform> T = rig.resolve(a.name, b.name);
+  return T && a.model == b.model && (*T)(0, 0) > 1.0 - 1e-9 && (*T)(1, 1) > 1.0 - 1e-9;
+}
+
+TEST(StereoPair, IsTheOneOfAllThatHasMostInCommon) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const Rig rig = random_rig(seed, 6);
+    std::optional<std::pair<std::size_t, std::size_t>> best;
+    std::pair<bool, double> most = {false, 0.0};
+    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+      for (std::size_t j = i + 1; j < rig.cameras.size(); ++j) {
+        const double common = common_view(rig, rig.cameras[i], rig.cameras[j]).value_or(0.0);
+        const std::pair merit = {is_rectified(rig, rig.cameras[i], rig.cameras[j]), common};
+        if (common < 0.25 || merit <= most) continue;
+        most = merit;
+        best = {i, j};
+      }
+    }
+    EXPECT_EQ(stereo_pair(rig), best) << seed;
+  }
+}
+
+TEST(StereoPair, MayBeOneWhereAQuarterIsInCommon) {
+  int apart = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const Rig rig = random_rig(seed, 6);
+    for (const Camera& a : rig.cameras) {
+      for (const Camera& b : rig.cameras) {
+        const bool expected = common_view(rig, a, b).value_or(1.0) >= 0.25;
+        apart += expected ? 0 : 1;
+        EXPECT_EQ(may_be_stereo(rig, a, b), expected) << seed << " " << a.name << " " << b.name;
+      }
+    }
+  }
+  EXPECT_GT(apart, 0);
+}
+
+TEST(StereoPair, IsNotKnownOfCamerasWithoutPoses) {
+  Rig rig = random_rig(1, 2);
+  rig.poses.clear();
+  EXPECT_EQ(common_view(rig, rig.cameras[0], rig.cameras[1]), std::nullopt);
+  EXPECT_TRUE(may_be_stereo(rig, rig.cameras[0], rig.cameras[1]));
+  EXPECT_EQ(stereo_pair(rig), std::nullopt);
+}
+
+RC_GTEST_PROP(CoveredImage, HasARayAtEachPixelNoFurtherOutThanACorner, ()) {
+  const CameraModel model = random_model(*rc::gen::inRange<std::size_t>(0, 11));
+  const ImageSize size = {*rc::gen::inRange(1, 2000), *rc::gen::inRange(1, 2000)};
+  if (!is_surely_covered(model, size)) return;
+  const double right = size.width - 1.0;
+  const double bottom = size.height - 1.0;
+  double furthest = 0.0;
+  for (const Pixel& corner : {Pixel{0.0, 0.0}, Pixel{right, 0.0}, Pixel{0.0, bottom}, Pixel{right, bottom}})
+    furthest = std::max(furthest, angle_from_axis(*unproject(model, corner)));
+  constexpr int kSteps = 20;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int j = 0; j <= kSteps; ++j) {
+      const std::optional<Ray> ray = unproject(model, {right * i / kSteps, bottom * j / kSteps});
+      RC_ASSERT(ray.has_value());
+      RC_ASSERT(angle_from_axis(*ray) <= furthest + 1e-9);
+    }
+  }
+}
+
+TEST(CoveredImage, IsNotSureOfALensThatEndsInside) {
+  const CameraModel ends = Intrinsics<Ds>{{300.0, 300.0, 319.5, 239.5, 0.0, 0.9}};
+  EXPECT_TRUE(is_surely_covered(ends, {640, 480}));
+  EXPECT_FALSE(is_surely_covered(ends, {6400, 4800}));
+}
+
+}  // namespace
+}  // namespace fca::test
