@@ -24,7 +24,7 @@ void put_imus(Html& html, const ReportContents& contents);
 void put_poses(Html& html, const ReportContents& contents);
 /// What `check` finds.
 void put_findings(Html& html, const ReportContents& contents);
-/// What `convert` loses and makes up, and what the program says to the result.
+/// What `convert` loses and adds, and how the program reads the result.
 void put_ledger(Html& html, const ReportContents& contents);
 /// The text of `show`, and the commands.
 void put_sources(Html& html, const ReportContents& contents);

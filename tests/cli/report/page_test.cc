@@ -38,7 +38,8 @@ TEST(Report, HasAMapAndCurvesOfEveryCamera) {
     EXPECT_EQ(count_of(html, title), 2U) << title;
   EXPECT_EQ(count_of(html, ">From above cam0<"), 1U);
   EXPECT_EQ(count_of(html, ">From the right of cam0<"), 1U);
-  for (const char* section : {">Cameras</h2>", ">IMU</h2>", ">Is it sane?</h2>", ">Lost</h3>", ">How this page was made</h2>"})
+  for (const char* section :
+       {">Cameras</h2>", ">IMU</h2>", ">What check finds</h2>", ">Lost</h3>", ">How this page was made</h2>"})
     EXPECT_EQ(count_of(html, section), 1U) << section;
 }
 
