@@ -5,6 +5,8 @@
 #include <fca/convert/convert.h>
 #include <fca/convert/least_error.h>
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace fca::test {
@@ -13,27 +15,50 @@ namespace {
 constexpr double kAngle = 50.0 * kRadians;
 
 std::vector<Camera> wide_cameras() {
-  return {make_camera(Intrinsics<Ds>{{380.8, 380.9, 510.3, 514.3, -0.24, 0.56}}, {1024, 1024}),
+  return {make_camera(Intrinsics<Ds>{{380.8, 380.9, 510.3, 514.3, 0.56, -0.24}}, {1024, 1024}),
           make_camera(Intrinsics<Kb4>{{190.9, 190.8, 254.9, 256.9, 0.0034, 0.0007, -0.002, 0.0002}}, {512, 512}),
           make_camera(Intrinsics<Eucm>{{460.8, 459.5, 365.9, 249.3, 0.6, 1.1}}, {752, 480})};
 }
 
+/// Means over other pixels differ by some per cent.
+constexpr double kOtherPixels = 1.3;
+
 TEST(LeastRms, NoFitIsBetter) {
+  int whole = 0;
   for (const Camera& camera : wide_cameras()) {
     for (const char* model : {"pinhole", "radtan"}) {
-      ConvertOptions options;
-      options.model = model;
-      options.max_angle_rad = kAngle;
-      Diagnostics diagnostics;
-      const std::optional<Conversion> fit = convert(camera, options, diagnostics);
-      ASSERT_TRUE(fit);
-      const std::optional<double> least = least_rms_px(camera, model, kAngle);
-      ASSERT_TRUE(least);
-      EXPECT_GT(*least, 1e-4) << model;
-      // Means over other pixels differ by a few per cent.
-      EXPECT_LE(*least, 1.3 * fit->report.judgement.error.rms) << model << " from " << fit->report.from_model;
+      for (const double angle : {10.0 * kRadians, kAngle}) {
+        ConvertOptions options;
+        options.model = model;
+        options.max_angle_rad = angle;
+        Diagnostics diagnostics;
+        const std::optional<Conversion> fit = convert(camera, options, diagnostics);
+        ASSERT_TRUE(fit);
+        const std::optional<double> least = least_rms_px(camera, model, angle);
+        ASSERT_TRUE(least);
+        EXPECT_GT(*least, 0.0);
+        // A cone is fitted where the whole is off by more than a pixel.
+        const double reached_px =
+            fit->report.fitted_to_cone ? std::numeric_limits<double>::infinity() : fit->report.judgement.error.rms;
+        whole += fit->report.fitted_to_cone ? 0 : 1;
+        EXPECT_LE(*least, kOtherPixels * reached_px) << model << " from " << fit->report.from_model << " " << angle;
+      }
     }
   }
+  EXPECT_GE(whole, 6);
+}
+
+TEST(LeastRms, OfAPinholeIsNearlyThatOfItsFit) {
+  // tan(t) = t + t^3 / 3 + 2 t^5 / 15 + ...
+  const Camera camera = make_camera(Intrinsics<Kb4>{{600.0, 600.0, 319.5, 239.5, 0.33, 0.13, 0.05, 0.02}}, {640, 480});
+  ConvertOptions options;
+  options.model = "pinhole";
+  Diagnostics diagnostics;
+  const std::optional<Conversion> fit = convert(camera, options, diagnostics);
+  const std::optional<double> least = least_rms_px(camera, "pinhole", options.max_angle_rad);
+  ASSERT_TRUE(fit && least);
+  EXPECT_FALSE(fit->report.fitted_to_cone);
+  EXPECT_GT(kOtherPixels * *least, fit->report.judgement.error.rms);
 }
 
 TEST(LeastRms, IsNothingOfACameraOfTheModel) {

@@ -106,9 +106,9 @@ RC_GTEST_PROP(CoveredImage, HasARayAtEachPixelNoFurtherOutThanACorner, ()) {
 }
 
 TEST(CoveredImage, IsNotSureOfALensThatEndsInside) {
-  const CameraModel ends = Intrinsics<Ds>{{300.0, 300.0, 319.5, 239.5, 0.0, 0.9}};
-  EXPECT_TRUE(is_surely_covered(ends, {640, 480}));
-  EXPECT_FALSE(is_surely_covered(ends, {6400, 4800}));
+  const CameraModel ends = Intrinsics<Ds>{{300.0, 300.0, 199.5, 149.5, 0.9, 0.0}};  // 335 px from its centre
+  EXPECT_TRUE(is_surely_covered(ends, {400, 300}));
+  EXPECT_FALSE(is_surely_covered(ends, {4000, 3000}));
 }
 
 }  // namespace
