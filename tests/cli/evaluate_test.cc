@@ -693,6 +693,10 @@ TEST_F(Evaluate, SlamIsNotReproducedAndItsConversionIsProven) {
   EXPECT_LE(slam["rms_px"].GetDouble(), slam["max_px"].GetDouble());
   ASSERT_TRUE(slam["bound_px"].IsNumber());
   EXPECT_LE(slam["max_px"].GetDouble(), slam["bound_px"].GetDouble());
+  // It names the experiment that is the table's counterpart, and that exists.
+  const std::string counterpart = "examples/openvins_simulation";
+  EXPECT_TRUE(contains(slam["why"].GetString(), counterpart));
+  EXPECT_TRUE(fs::exists(fs::path(FCA_EXAMPLES_DIR).parent_path() / counterpart / "results.csv"));
 }
 
 TEST(EvaluateText, HasEveryRowWithThePapersFiguresAndOneReasonEach) {

@@ -14,17 +14,17 @@ def write(name, width, height, body):
 
 
 class Axes:
-    """A field of 540 x 230 with x linear and y linear or logarithmic, from (x[0], y[0]) to (x[1], y[1])."""
-    LEFT, TOP, WIDTH, HEIGHT = 64, 20, 540, 230
+    """A field of 540 x 230, `top` below the drawing's edge, with x and y linear or logarithmic, from (x[0], y[0]) to (x[1], y[1])."""
+    LEFT, WIDTH, HEIGHT = 64, 540, 230
 
-    def __init__(self, x, y, log=False):
-        self.x, self.y, self.log, self.body = x, y, log, []
+    def __init__(self, x, y, log=False, log_x=False, top=20):
+        self.x, self.y, self.log, self.log_x, self.TOP, self.body = x, y, log, log_x, top, []
 
     def at(self, x, y):
-        scale = math.log10 if self.log else float
-        low, high, value = scale(self.y[0]), scale(self.y[1]), scale(min(max(y, self.y[0]), self.y[1]))
-        return (self.LEFT + (x - self.x[0]) / (self.x[1] - self.x[0]) * self.WIDTH,
-                self.TOP + self.HEIGHT * (1 - (value - low) / (high - low)))
+        along_x, along_y = (math.log10 if log else float for log in (self.log_x, self.log))
+        part = lambda scale, ends, value: (scale(value) - scale(ends[0])) / (scale(ends[1]) - scale(ends[0]))
+        return (self.LEFT + self.WIDTH * part(along_x, self.x, x),
+                self.TOP + self.HEIGHT * (1 - part(along_y, self.y, min(max(y, self.y[0]), self.y[1]))))
 
     def grid(self, xs, ys, x_unit, y_unit):
         for y in ys:
@@ -43,8 +43,19 @@ class Axes:
         colour = ' style="stroke:#c33"' if red else ""
         self.body.append(f'<polyline class="line" points="{line}"{dashed}{colour}/>')
         if words:
-            px, py = self.at(*at)
-            self.body.append(f'<text x="{px:.0f}" y="{py:.0f}">{words}</text>')
+            self.words(*at, words)
+
+    def bar(self, x, low, high, red=False):
+        (px, bottom), (_, top) = self.at(x, low), self.at(x, high)
+        colour = ' style="stroke:#c33"' if red else ""
+        self.body.append(f'<path class="line" d="M{px:.1f} {bottom:.1f}V{top:.1f}M{px - 3:.1f} {top:.1f}h6M{px - 3:.1f} {bottom:.1f}h6"{colour}/>')
+
+    def heading(self, words):
+        self.body.append(f'<text x="{self.LEFT}" y="{self.TOP - 12}">{words}</text>')
+
+    def words(self, x, y, words):
+        px, py = self.at(x, y)
+        self.body.append(f'<text x="{px:.0f}" y="{py:.0f}">{words}</text>')
 
     def mark(self, x, y):
         px, py = self.at(x, y)
