@@ -236,8 +236,7 @@ std::string replacement_in_words(const EvaluateResult& evaluation) {
          "converted from KB and once with EUCM calibrated directly, and compare trajectories. The system's random samples hide "
          "errors of this size. The counterpart is examples/openvins_simulation of the source: OpenVINS' estimator, with "
          "converted calibrations, in simulated flights whose truth is known. That conversion itself, KB-EUCM of TUM VI's cam0, "
-         "is "
-         "off by " +
+         "is off by " +
          pixels(error.rms) + " px rms over the " + text::format_short(camera.max_angle_deg, 4) +
          " deg of the lens, and nowhere by more than " + pixels(error.bound) +
          " px, which is proven (convert proves it for every file); and tests compare with separate calibrations of the same "
