@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -61,8 +60,10 @@ Options::Options(CLI::App& command, std::optional<std::vector<std::string>> word
 
 bool Options::add_names(const std::string& names) {
   bool is_named = !words_;
-  for (const auto part : std::views::split(std::string_view(names), ',')) {
-    const std::string_view name(part.begin(), part.end());
+  for (std::string_view rest = names; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(','), rest.size());
+    const std::string_view name = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
     if (is_long(name)) names_.emplace_back(name);
     is_named = is_named || std::ranges::any_of(*words_, [name](const std::string& word) { return may_name(word, name); });
   }
