@@ -130,7 +130,7 @@ double share_without_rays(const CameraDistance& distance) {
 }
 
 std::string no_rays_outside_in_words(double share) {
-  return "wrong or no ray: " + percent(share) + " of the image, outside the inscribed circle";
+  return "wrong rays outside the inscribed circle: " + percent(share) + " of the image";
 }
 
 std::string VerdictCounts::in_words() const {

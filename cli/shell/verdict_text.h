@@ -44,7 +44,7 @@ struct SummaryLine {
 [[nodiscard]] double share_without_rays(const CameraDistance& distance);
 /// What to do about it, in the command's words; empty: nothing is known.
 [[nodiscard]] std::string remedy_of(const Reason& reason);
-/// "wrong or no ray: 20.2 % of the image, outside the inscribed circle"
+/// "wrong rays outside the inscribed circle: 20.2 % of the image"
 [[nodiscard]] std::string no_rays_outside_in_words(double share);
 /// What the line of lines_of() is about that says how to overrule the verdict.
 inline constexpr std::string_view kAnyway = "anyway";
