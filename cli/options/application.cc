@@ -156,7 +156,7 @@ bool is_path(const std::string& word) {
 /// Of the first option that there is not: which was meant; nothing where none is near, or all are there.
 std::optional<std::string> unknown_option(std::span<const std::string> words, const Options& options) {
   constexpr std::string_view kDashes = "--";
-  const std::vector<std::string> names = options.names();
+  const std::vector<std::string>& names = options.names();
   for (const std::string& word : words) {
     const std::string name = word.substr(0, word.find('='));
     if (!name.starts_with(kDashes) || std::ranges::find(names, name) != names.end()) continue;
