@@ -31,8 +31,8 @@ struct ConvertOptions {
   /// False: of an exact conversion no errors need be computed, which are 0 but for rounding. The report then may hold the
   /// coverage alone.
   bool exact_errors = true;
-  bool reach = false;        ///< The report holds the table of reach.h, at the price of one more fit per row.
-  int samples = 200;         ///< To begin with; more where the target turns out to be worse between them.
+  bool reach = false;  ///< The report holds the table of reach.h, at the price of one more fit per row.
+  int samples = 200;   ///< To begin with; more where the target turns out to be worse between them.
   bool operator==(const ConvertOptions&) const = default;
 };
 
