@@ -68,24 +68,20 @@ auto topics() {
   };
 }
 
-/// The same, sorted by their codes.
-std::vector<CodeInfo> joined_topics() {
-  std::vector<CodeInfo> rows;
-  for (const std::span<const CodeInfo> topic : topics()) rows.insert(rows.end(), topic.begin(), topic.end());
-  std::ranges::stable_sort(rows, {}, &CodeInfo::code);
-  return rows;
-}
+std::size_t place_of(Code code) { return static_cast<std::size_t>(code) - 1; }
 
-/// The rows by their codes; null: none. Most commands ask for a few, and sorting all takes as long as reading a file.
-std::vector<const CodeInfo*> rows_by_code() {
-  std::vector<const CodeInfo*> rows;
+/// The same, each at the place of its code: to sort them takes as long as reading a file. What has the code of another comes
+/// after all, where a test finds it.
+std::vector<CodeInfo> joined_topics() {
+  std::vector<CodeInfo> rows(place_of(Code::kCount), CodeInfo{});
+  std::vector<CodeInfo> further;
   for (const std::span<const CodeInfo> topic : topics()) {
     for (const CodeInfo& row : topic) {
-      const auto place = static_cast<std::size_t>(row.code);
-      if (place >= rows.size()) rows.resize(place + 1);
-      if (rows[place] == nullptr) rows[place] = &row;
+      CodeInfo& place = rows[place_of(row.code)];
+      (place.code == Code::kNone ? place : further.emplace_back()) = row;
     }
   }
+  rows.insert(rows.end(), further.begin(), further.end());
   return rows;
 }
 
@@ -103,9 +99,7 @@ const CodeInfo* find_code(std::string_view id) {
 
 const CodeInfo& info(Code code) {
   static constexpr CodeInfo kNothing = {.code = Code::kNone, .id = "", .text = ""};
-  static const std::vector<const CodeInfo*> rows = rows_by_code();
-  const auto place = static_cast<std::size_t>(code);
-  return place < rows.size() && rows[place] != nullptr ? *rows[place] : kNothing;
+  return code > Code::kNone && code < Code::kCount ? all_codes()[place_of(code)] : kNothing;
 }
 
 }  // namespace fca
