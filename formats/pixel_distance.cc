@@ -229,13 +229,19 @@ class Comparison {
 }  // namespace
 
 CameraDistance distance_of(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader,
+                           const AngleLimits& limits, bool has_gaps, const std::optional<Transform>& T_written_camera) {
+  ReaderPoints none;
+  return distance_of(camera, written, reader, limits, has_gaps, T_written_camera, none);
+}
+
+CameraDistance distance_of(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader,
                            const AngleLimits& limits, bool has_gaps, const std::optional<Transform>& T_written_camera,
-                           ReaderPoints* known) {
+                           ReaderPoints& known) {
   if (!has_gaps) {
     CameraDistance coarse = Comparison(camera, written, reader, limits, kCoarse, T_written_camera, nullptr).run();
     if (coarse.in_image.no_rays == 0.0) return coarse;
   }
-  return Comparison(camera, written, reader, limits, kFine, T_written_camera, known).run();
+  return Comparison(camera, written, reader, limits, kFine, T_written_camera, &known).run();
 }
 
 std::optional<double> degrees_in_circle(const Camera& camera) {

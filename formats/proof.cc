@@ -315,7 +315,7 @@ ProofResult proof_of(const consumers::Consumer& consumer, const consumers::Consu
     const bool has_gaps =
         comparisons[i].compared < comparisons[i].asked || comparisons[i].wrong_rays > 0.0 || limits.fitted < std::numbers::pi;
     distances[i] = distance_of(was_fitted ? before->camera : camera, camera.model, view.cameras[i], limits, has_gaps,
-                               was_fitted ? before->T_written_camera : std::nullopt, &known);
+                               was_fitted ? before->T_written_camera : std::nullopt, known);
   });
   Comparison comparison;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {

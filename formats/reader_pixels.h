@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fca/formats/consumers/consumer.h>
+#include <fca/formats/pixel_distance.h>
 #include <fca/models/camera_model.h>
 
 #include <cmath>
@@ -74,5 +75,10 @@ class ReaderPoints {
  private:
   std::vector<ReaderPoint> points_;  ///< Made when the first is asked for.
 };
+
+/// distance_of() of pixel_distance.h. `known`: what was found before of that reader and a camera whose model is `written`.
+[[nodiscard]] CameraDistance distance_of(const Camera& camera, const CameraModel& written,
+                                         const consumers::ConsumerCamera& reader, const AngleLimits& limits, bool has_gaps,
+                                         const std::optional<Transform>& T_written_camera, ReaderPoints& known);
 
 }  // namespace fca

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// openvins-simulation TRUE_CONFIG TRAJECTORY SEED CONFIG...: one simulated flight with the true calibration, and what OpenVINS'
-// estimator makes of it with each of the others. Prints a line of CSV for each:
+// openvins-simulation TRUE_CONFIG TRAJECTORY SEED CONFIG...: simulates one flight with the true calibration. OpenVINS'
+// estimator estimates it with each of the others. Prints a line of CSV for each:
 //   folder of CONFIG, metres flown, rms of the position (m) and of the orientation (deg), seconds of processor time
 // "nan" where the filter broke.
 #include "estimate.h"

@@ -177,7 +177,8 @@ inline Matrix3 nearest_rotation(const Matrix3& matrix) {
 /// The sine of the angle below which cv::Rodrigues makes the vector 0 of a rotation.
 inline constexpr double kNoRotation = 1e-5;
 
-/// What cv::Rodrigues makes of a matrix there and back: the nearest rotation, and none at all of a turn below 1e-5 rad.
+/// The matrix that two calls of cv::Rodrigues, to a vector and back, return: the nearest rotation, or the identity for a turn
+/// below 1e-5 rad.
 inline Matrix3 rotation_there_and_back(const Matrix3& matrix) {
   const Matrix3 R = nearest_rotation(matrix);
   const double sine = 0.5 * std::hypot(R[7] - R[5], R[2] - R[6], R[3] - R[1]);

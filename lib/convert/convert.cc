@@ -136,7 +136,7 @@ std::optional<Conversion> exact_conversion(const FitTask& task) {
   conversion.camera.model = *model;
   conversion.report.exact = true;
   conversion.report.scored_to_deg = scored_to_deg(task, *model, std::numbers::pi);
-  if (!task.options.exact_errors && *model == task.camera.model && is_surely_whole(task)) {
+  if (!task.options.errors_of_kept && *model == task.camera.model && is_surely_whole(task)) {
     conversion.report.judgement = whole_image(task.domain);
     return conversion;
   }

@@ -2,7 +2,6 @@
 #include <fca/rig/covered_image.h>
 
 #include <array>
-#include <type_traits>
 #include <variant>
 
 namespace fca {
@@ -12,8 +11,8 @@ namespace {
 bool is_round(const CameraModel& model) {
   return std::visit(
       []<class M>(const Intrinsics<M>& /*model*/) {
-        return std::is_same_v<M, Pinhole> || std::is_same_v<M, Kb4> || std::is_same_v<M, Ucm> || std::is_same_v<M, Eucm> ||
-               std::is_same_v<M, Ds> || std::is_same_v<M, Fov>;
+        if constexpr (requires { M::kRound; }) return M::kRound;
+        return false;
       },
       model);
 }

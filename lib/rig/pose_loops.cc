@@ -1,59 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/rig/pose_loops.h>
 
+#include "frame_graph.h"
+
 #include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <map>
 #include <optional>
 #include <span>
-#include <string>
+#include <utility>
 
 namespace fca {
 
 namespace {
 
-struct Path {
-  Transform T;
-  std::vector<std::size_t> edges;
-};
-
-/// The shortest path from a to b that leaves out one edge; of equally short ones that whose edges were read first, as
-/// Rig::resolve has it.
-std::optional<Path> path_without(std::size_t edge, std::span<const PoseEdge> poses) {
-  const std::string& a = poses[edge].a;
-  const std::string& b = poses[edge].b;
-  std::map<std::string, Path> reached;
-  reached.emplace(a, Path{});
-  std::deque<std::string> queue = {a};
-  while (!queue.empty()) {
-    const std::string here = queue.front();
-    queue.pop_front();
-    const Path so_far = reached.at(here);
-    if (here == b) return so_far;
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-      const bool forwards = poses[i].a == here;
-      if (i == edge || (!forwards && poses[i].b != here)) continue;
-      const std::string& next = forwards ? poses[i].b : poses[i].a;
-      if (reached.contains(next)) continue;
-      const std::optional<Transform> T = forwards ? std::optional(poses[i].T_a_b) : inverse(poses[i].T_a_b);
-      if (!T) continue;
-      Path path{so_far.T * *T, so_far.edges};
-      path.edges.push_back(i);
-      reached.emplace(next, std::move(path));
-      queue.push_back(next);
-    }
-  }
-  return std::nullopt;
-}
-
+/// The pose's loop with the shortest way by the others; nothing if there is none.
 std::optional<PoseLoop> loop_of(std::size_t edge, std::span<const PoseEdge> poses) {
-  std::optional<Path> path = path_without(edge, poses);
-  if (!path) return std::nullopt;
-  const PoseDifference difference = difference_of(path->T, poses[edge].T_a_b);
-  return PoseLoop{edge, std::move(path->edges), path->T, difference};
+  const internal::FrameGraph graph(poses);
+  const std::size_t a = graph.find(poses[edge].a).value();
+  const std::size_t b = graph.find(poses[edge].b).value();
+  std::optional<internal::FramePath> way = graph.path(a, b, edge);
+  if (!way) return std::nullopt;
+  const PoseDifference difference = difference_of(way->T, poses[edge].T_a_b);
+  return PoseLoop{edge, std::move(way->poses), way->T, difference};
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ std::optional<ConvertedCamera> convert_one(const Camera& camera, const StoredMod
   if (keeps(camera, stored, choice) && !camera.image_size && validate(camera.model).empty())
     return ConvertedCamera{camera, camera, std::nullopt};
   ConvertOptions options = options_for(stored, choice);
-  options.exact_errors = choice.errors_of_kept;
+  options.errors_of_kept = choice.errors_of_kept;
   std::optional<Conversion> conversion = converted(camera, options, choice, diagnostics);
   if (!conversion) return std::nullopt;
   return ConvertedCamera{camera, std::move(conversion->camera), std::move(conversion->report)};

@@ -45,17 +45,12 @@ struct AngleLimits {
   double fitted = std::numbers::pi;  ///< Rays beyond have no right pixel in the model of the file.
 };
 
-/// What was found at the points of an image's lattice (private).
-class ReaderPoints;
-
 /// `camera`: as it was calibrated; of a known image size. `written`: the same camera in the model of the file. `reader`: what
 /// the program holds of it. Rays outside the camera's image circle are not asked for. `has_gaps`: it is known that the program
 /// has no right ray for a part of the image. `T_written_camera`: the rotation of the written camera's frame, if it has another.
-/// `known`: what was found before of that reader and a camera whose model is `written`.
 [[nodiscard]] CameraDistance distance_of(const Camera& camera, const CameraModel& written,
                                          const consumers::ConsumerCamera& reader, const AngleLimits& limits,
-                                         bool has_gaps = false, const std::optional<Transform>& T_written_camera = {},
-                                         ReaderPoints* known = nullptr);
+                                         bool has_gaps = false, const std::optional<Transform>& T_written_camera = {});
 
 /// How far from the axis, in whole degrees, the camera sees in the largest circle about the middle of its image: the smallest
 /// angle that holds all of it. Nothing where the image size is unknown, or the model ends inside the circle.

@@ -28,9 +28,9 @@ struct ConvertOptions {
   bool cone = true;          ///< What cannot describe the whole domain is fitted to a cone of it; else to nothing: an error.
   bool every_pixel = false;  ///< The report counts each pixel instead of a lattice.
   bool bound = true;         ///< The report proves ErrorSummary::bound.
-  /// False: of an exact conversion no errors need be computed, which are 0 but for rounding. The report then may hold the
-  /// coverage alone.
-  bool exact_errors = true;
+  /// False: the report of a camera that keeps its model may hold the coverage alone, without errors, which are 0 but for
+  /// rounding.
+  bool errors_of_kept = true;
   bool reach = false;  ///< The report holds the table of reach.h, at the price of one more fit per row.
   int samples = 200;   ///< To begin with; more where the target turns out to be worse between them.
   bool operator==(const ConvertOptions&) const = default;

@@ -26,6 +26,7 @@ namespace fca {
 struct Ds : internal::FocalLengthsFirst, internal::RayMap<Ds> {
   static constexpr std::string_view kId = "ds";
   static constexpr std::string_view kTitle = "Double Sphere";
+  static constexpr bool kRound = true;
   static constexpr std::string_view kContains = "ucm";
   static constexpr std::array<std::string_view, 3> kAliases = {"double-sphere", "doublesphere", "ds-none"};
   static constexpr std::array kParameters = {

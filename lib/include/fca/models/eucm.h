@@ -80,6 +80,7 @@ struct UnifiedPlane {
 struct Eucm : internal::FocalLengthsFirst, internal::RayMap<Eucm> {
   static constexpr std::string_view kId = "eucm";
   static constexpr std::string_view kTitle = "Enhanced Unified Camera Model";
+  static constexpr bool kRound = true;
   static constexpr std::string_view kContains = "ucm";
   static constexpr std::array<std::string_view, 3> kAliases = {"eucm-none", "extended-unified", "enhanced-unified"};
   static constexpr std::array kParameters = {

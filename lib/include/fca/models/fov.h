@@ -19,6 +19,7 @@ namespace fca {
 struct Fov : internal::FocalLengthsFirst {
   static constexpr std::string_view kId = "fov";
   static constexpr std::string_view kTitle = "Field of view (FOV, ATAN)";
+  static constexpr bool kRound = true;
   static constexpr std::array<std::string_view, 2> kAliases = {"pinhole-fov", "atan"};
   static constexpr std::array kParameters = {common_parameter::kFx, common_parameter::kFy, common_parameter::kCx,
                                              common_parameter::kCy,

@@ -23,6 +23,7 @@ namespace fca {
 struct Kb4 : internal::FocalLengthsFirst, internal::RayMap<Kb4> {
   static constexpr std::string_view kId = "kb4";
   static constexpr std::string_view kTitle = "Kannala-Brandt";
+  static constexpr bool kRound = true;
   static constexpr std::array<std::string_view, 12> kAliases = {
       "kb",          "kb8",  "kannala-brandt", "kannalabrandt",       "kannalabrandt8", "kannala-brandt4",
       "equidistant", "equi", "pinhole-equi",   "pinhole-equidistant", "fisheye",        "opencv-fisheye"};

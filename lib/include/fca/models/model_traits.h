@@ -110,6 +110,9 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///                              ones as a unit and an origin only.
 ///   kAheadOnly                 (optional) true: whatever the parameters, no ray at 90 degrees from the axis or beyond has a
 ///                              pixel. Nobody then tries to fit it to such rays.
+///   kRound                     (optional) true: but for the two focal lengths, pixels at one radius from the centre have rays
+///   at
+///                              one angle, and that grows with the radius up to the domain's limit.
 ///   kHasPoles                  (optional) true: its pixels may leave for infinity at an angle inside an image. A fit that
 ///                              misses any sample, of however little weight, then does not reach all of them.
 ///   kBendsBack                 (optional) the name of a coefficient that may bend the radius back before the edge of a wide

@@ -17,6 +17,7 @@ namespace fca {
 struct Pinhole : internal::FocalLengthsFirst {
   static constexpr std::string_view kId = "pinhole";
   static constexpr std::string_view kTitle = "Pinhole";
+  static constexpr bool kRound = true;
   static constexpr std::array<std::string_view, 4> kAliases = {"none", "pinhole-none", "rectified", "perspective"};
   static constexpr std::array kParameters = {common_parameter::kFx, common_parameter::kFy, common_parameter::kCx,
                                              common_parameter::kCy};

@@ -18,6 +18,7 @@ namespace fca {
 struct Ucm : internal::FocalLengthsFirst, internal::RayMap<Ucm> {
   static constexpr std::string_view kId = "ucm";
   static constexpr std::string_view kTitle = "Unified Camera Model";
+  static constexpr bool kRound = true;
   static constexpr std::string_view kContains = "pinhole";
   static constexpr std::array<std::string_view, 2> kAliases = {"unified", "unified-camera-model"};
   static constexpr std::array kParameters = {common_parameter::kFx, common_parameter::kFy, common_parameter::kCx,

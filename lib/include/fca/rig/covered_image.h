@@ -5,10 +5,10 @@
 
 namespace fca {
 
-/// Is it certain, by the rays of the image's four corners, that each of its pixels has a ray, and that none is further from the
-/// axis than the furthest of the corners? True only of lenses that are round but for their two focal lengths: pixels that have
-/// a ray fill an ellipse, angles grow outwards on it, and a rectangle whose corners lie in an ellipse lies in it. False of
-/// others, and where a corner has no ray.
+/// True if the rays of the image's four corners prove that each of its pixels has a ray, and that no ray is further from the
+/// axis than the furthest of the corners'. Only round models (kRound in model_traits.h) allow that: their pixels with a ray
+/// fill an ellipse, in which angles grow outwards, and a rectangle whose corners lie in an ellipse lies in it. False for other
+/// models, and if a corner has no ray.
 [[nodiscard]] bool is_surely_covered(const CameraModel& model, const ImageSize& size);
 
 }  // namespace fca

@@ -97,7 +97,7 @@ struct ConvertRequest {
   /// Also what no verdict depends on: errors if the lens ended earlier (ConversionReport::reach), and whether the input's own
   /// program would refuse the input.
   bool in_detail = false;
-  /// False: of a camera that keeps its model the report need not hold errors and bands, which are 0 but for rounding.
+  /// ConvertOptions::errors_of_kept
   bool errors_of_kept = true;
   std::optional<double> frame_rate_hz;  ///< For formats that state it.
   std::optional<double> baseline_m;     ///< Of a rectified pair or depth sensor.
