@@ -251,7 +251,7 @@ void forget_common_origins(Rig& rig, Diagnostics& diagnostics) {
     if (cameras.size() < 2) continue;
     std::erase_if(rig.poses,
                   [&of = frame](const PoseEdge& edge) { return (edge.a == of || edge.b == of) && edge.T_a_b == Transform{}; });
-    diagnostics.add(Code::kPoseOfEachUnstated, {cameras});
+    diagnostics.add(Code::kPoseOfEachMissing, {cameras});
   }
 }
 
@@ -266,7 +266,7 @@ std::optional<Calibration> alone(const Calibration& calibration, std::size_t doc
   if (!rig) return std::nullopt;
   Calibration result;
   result.format = calibration.formats[document];
-  result.why = {Code::kFormatTold};
+  result.why = {Code::kFormatGiven};
   result.documents = {calibration.documents[document]};
   result.formats = {result.format};
   result.rig = *std::move(rig);
@@ -285,7 +285,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
   for (std::size_t i = 0; i < documents.size(); ++i) {
     const text::Document& document = documents[i];
     const bool main_file = result.format == nullptr;
-    DetectedFormat detected{format, {Code::kFormatTold}};
+    DetectedFormat detected{format, {Code::kFormatGiven}};
     if (format == nullptr || (!main_file && !options.join)) {
       const bool is_known = i < detected_before.size() && detected_before[i];
       const std::optional<DetectedFormat> found = is_known ? detected_before[i] : detect_format(document, diagnostics);

@@ -125,7 +125,7 @@ std::optional<Mend> header_mend(const text::Document& document) {
   }
   std::vector<Message> besides;
   if (line.offset > top.start) besides.push_back({Code::kHeaderInFirstLine});
-  if (!unspaced.empty()) besides.push_back({Code::kBlanksBehindColons});
+  if (!unspaced.empty()) besides.push_back({Code::kBlanksAfterColons});
   return Mend{{Code::kHeaderOfYaml, {named(header), besides}}, {0, at}, text};
 }
 

@@ -147,7 +147,7 @@ class ProgramsCheck {
     if (!writing.model.empty()) how.push_back({Code::kConvertWithModel, {writing.model}});
     if (!writing.layout.empty()) how.push_back({Code::kConvertWithLayout, {program.format, writing.layout}});
     // An input of that very format keeps its own text, where nothing else is asked for.
-    if (&to == &format_ && writing.layout.empty()) how.push_back({Code::kConvertAnew});
+    if (&to == &format_ && writing.layout.empty()) how.push_back({Code::kConvertWithRewrite});
     const bool has_size = calibration_ == nullptr || std::ranges::all_of(calibration_->rig.cameras, [](const Camera& camera) {
                             return camera.image_size.has_value();
                           });

@@ -66,7 +66,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     return std::nullopt;
   }
   if (there && options.anew)
-    add_not_carried(extras_beyond(there->extra_fields, rig.extra_fields), Message{Code::kComposedAnew}, result->losses);
+    add_not_carried(extras_beyond(there->extra_fields, rig.extra_fields), Message{Code::kFileRewritten}, result->losses);
   return result;
 }
 

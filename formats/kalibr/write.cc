@@ -178,7 +178,7 @@ std::optional<Written> write_imu_files(const text::Document* base, const Rig* ol
     if (rig.imus.empty()) {
       diagnostics.add(Code::kCamchainNoCamera, {"a camchain"});
     } else {
-      diagnostics.add(Code::kCamchainImuNotStated, {kImuFile, missing_in(rig.imus.front(), true)});
+      diagnostics.add(Code::kCamchainImuNotGiven, {kImuFile, missing_in(rig.imus.front(), true)});
     }
     return std::nullopt;
   }
@@ -228,7 +228,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     const auto of_base = std::stable_partition(extras.begin(), extras.end(), [&](const ExtraField& extra) {
       return is_overlaps(extra) || std::ranges::find(old->extra_fields, extra) == old->extra_fields.end();
     });
-    add_not_carried({of_base, extras.end()}, Message{Code::kCamchainComposedAnew}, written.losses);
+    add_not_carried({of_base, extras.end()}, Message{Code::kCamchainRewritten}, written.losses);
     extras.erase(of_base, extras.end());
   }
   list_extras(extras, kept, of_rig, written.losses);
@@ -242,7 +242,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     const auto overlaps_gone = std::stable_partition(gone.begin(), gone.end(), std::not_fn(is_overlaps));
     list_extras({overlaps_gone, gone.end()}, {}, of_rig, written.losses);
     gone.erase(overlaps_gone, gone.end());
-    add_not_carried(gone, Message{Code::kCamchainComposedAnew}, written.losses);
+    add_not_carried(gone, Message{Code::kCamchainRewritten}, written.losses);
   }
   list_losses(rig_as_named, written.losses);
   written.headline = {Code::kCamchainHeadline};

@@ -212,7 +212,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     list_extras(rig.extra_fields, {}, written.losses);
     if (base != nullptr) {
       add_composed_anew(*base, written.files.front().document, why, written.losses);
-      add_not_carried(extras_beyond(extras_of(*base), rig.extra_fields), Message{Code::kComposedAnew}, written.losses);
+      add_not_carried(extras_beyond(extras_of(*base), rig.extra_fields), Message{Code::kFileRewritten}, written.losses);
     }
   }
   list_losses(rig, written.losses);

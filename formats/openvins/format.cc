@@ -244,13 +244,13 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   }
   if (!rig.imus.empty()) add_imu_file(rig, said, written, diagnostics);
   if (written.files.empty()) {
-    diagnostics.add(Code::kCamchainImuNotStated, {"OpenVINS", kalibr::missing_in(rig.imus.front(), false)});
+    diagnostics.add(Code::kCamchainImuNotGiven, {"OpenVINS", kalibr::missing_in(rig.imus.front(), false)});
     return std::nullopt;
   }
   add_beyond_base(rig.extra_fields, said, Message{Code::kOpenvinsChainNoPlace}, written.losses);
   if (base != nullptr) add_composed_anew(*base, written.files.front().document, Message{}, written.losses);
   if (old) {
-    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kComposedAnew},
+    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kFileRewritten},
                     written.losses);
   }
   if (!rig.cameras.empty()) list_losses(rig, written.losses);

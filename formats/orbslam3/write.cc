@@ -87,7 +87,7 @@ void list_camera_losses(const Rig& rig, const Target& target, std::string_view p
     }
     const bool fork = target.style == Style::kSlamNoOpt;
     const Message why =
-        fork ? Message{Code::kOrbslam3DelayNotStated, {kDelayKey}} : Message{Code::kOrbslam3NoKeyForIt, {program}};
+        fork ? Message{Code::kOrbslam3DelayNotGiven, {kDelayKey}} : Message{Code::kOrbslam3NoKeyForIt, {program}};
     if (i > 0 || !target.states_delay) add_time_offset(camera, why, losses);
     if (camera.topic.empty()) continue;
     losses.push_back(fork ? lost(Code::kOrbslam3ImageTopicDropped, camera.name, "topic", {camera.topic})

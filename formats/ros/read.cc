@@ -272,7 +272,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
     const std::optional<Rig> part = CameraReader(reader, info, options).run("cam" + std::to_string(rig.cameras.size()));
     if (!part) return std::nullopt;
     if (rig.find_camera(part->cameras.front().name) != nullptr) {
-      reader.say(*info.K->place, Code::kRosStatedTwice, {part->cameras.front().name});
+      reader.say(*info.K->place, Code::kRosCameraTwice, {part->cameras.front().name});
       return std::nullopt;
     }
     rig.cameras.push_back(part->cameras.front());

@@ -293,7 +293,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (old && !edits) {
     const Message why = ini != base_ini ? Message{Code::kRosAnotherSyntax} : Message{};
     add_composed_anew(*base, written.files.front().document, why, written.losses);
-    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kComposedAnew},
+    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kFileRewritten},
                     written.losses);
   }
   written.headline = headline(rig, rectification);

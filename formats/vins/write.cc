@@ -147,7 +147,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   list_losses(rig, written.losses);
   list_extras(rig, old, written);
   if (replaced && options.anew)
-    add_not_carried(extras_beyond(replaced->extra_fields, rig.extra_fields), Message{Code::kComposedAnew}, written.losses);
+    add_not_carried(extras_beyond(replaced->extra_fields, rig.extra_fields), Message{Code::kFileRewritten}, written.losses);
   written.pose_remedy = {Code::kVinsIntoConfiguration};
   written.headline = {rig.cameras.size() == 1 ? Code::kVinsCameraFile : Code::kVinsCameraFiles};
   return written;

@@ -95,7 +95,7 @@ std::optional<PreparedPair> prepared(const Camera& reference, const Camera& othe
     // Of a lens that sees nothing of its image nothing can be measured, but it is the same as itself.
     if (same_lens && entry.facts.code == Code::kNoPixelHasARay) {
       entry.severity = Severity::kWarning;
-      domain = Domain{*pair->reference.image_size, max_angle(pair->reference.model), Message{Code::kDomainWithoutRay}};
+      domain = Domain{*pair->reference.image_size, max_angle(pair->reference.model), Message{Code::kFieldOfViewWithoutRay}};
     }
     diagnostics.add(std::move(entry));
   }

@@ -154,7 +154,7 @@ void add_left_out(const CameraModel& reference, const CameraModel& other, Candid
   if (std::ranges::any_of(numbers.subspan(kBeforeLens), [](double number) { return number != 0.0; })) return;
   CameraModel undone = reference;
   std::copy_n(numbers.begin(), kBeforeLens, parameter_values(undone).begin());
-  candidates.push_back({Code::kDistortionLeftOut, undone});
+  candidates.push_back({Code::kDistortionRemoved, undone});
 }
 
 }  // namespace

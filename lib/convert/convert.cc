@@ -113,7 +113,7 @@ internal::Scorer scorer_of(const FitTask& task, const CameraModel& model, double
 
 /// Is the image's every pixel surely scored where the target is the source?
 bool is_surely_whole(const FitTask& task) {
-  return !task.domain.circle && task.domain.why.code == Code::kDomainWholeImage &&
+  return !task.domain.circle && task.domain.why.code == Code::kFieldOfViewWholeImage &&
          is_surely_covered(task.camera.model, task.domain.size);
 }
 

@@ -83,7 +83,7 @@ std::span<const CodeInfo> comparison_codes() {
       error(Code::kParametersExchanged, kSwapped, "{0} has {1} and {2} exchanged"),
       error(Code::kCoefficientsInOrder, kSwapped, "{0} has its coefficients in the order {1} under the names {2}"),
       error(Code::kUnderAnotherName, "wrong-model", "{0} holds the numbers of {1} under the name of {2}"),
-      error(Code::kDistortionLeftOut, "distortion-left-out", "{0} has the numbers of the reference, without its distortion"),
+      error(Code::kDistortionRemoved, "distortion-left-out", "{0} has the numbers of the reference, without its distortion"),
 
       // In numbers.
       error(Code::kTimeOffsetOfOtherSign, "time-offset-sign",

@@ -91,7 +91,7 @@ TEST(CheckFindings, ACleanFileSaysWhatWasCheckedAndWhatCouldNotBe) {
   source.bytes = with_replaced(with_replaced(source.bytes, "image_width: 752\n", ""), "image_height: 480\n", "");
   const CheckReport without_size = checked(source);
   ASSERT_EQ(without_size.undecided.size(), 1U);
-  EXPECT_EQ(without_size.undecided.front().facts.code, Code::kImageNotJudged);
+  EXPECT_EQ(without_size.undecided.front().facts.code, Code::kImageNotEvaluated);
   CheckOptions options;
   options.reading.image_size = ImageSize{752, 480};
   EXPECT_TRUE(checked(source, options).undecided.empty());

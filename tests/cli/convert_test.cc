@@ -398,7 +398,7 @@ TEST(Convert, MaxAngleIsTheDomain) {
   EXPECT_GT(all["domain"]["max_angle_deg"].GetDouble(), 97.5);
   EXPECT_GT(cut["domain"]["outside_lens_share"].GetDouble(), 0.01);
   EXPECT_LT(cut["error_px"]["rms"].GetDouble(), all["error_px"]["rms"].GetDouble());
-  EXPECT_EQ(cut["domain"]["why"].GetString(), text::text_of({Code::kDomainGiven}, cli::with_options));
+  EXPECT_EQ(cut["domain"]["why"].GetString(), text::text_of({Code::kFieldOfViewGiven}, cli::with_options));
 }
 
 TEST(Convert, TheConeOfATargetThatReachesLessIsSaid) {
@@ -604,7 +604,8 @@ TEST(Convert, TheDomainEndsForTheReasonGiven) {
   for (const char* angle : {"100", "105"}) {
     const Json json =
         json_of(run_program({"convert", wide, "--to", "kalibr", "--model", "kb4", "--max-angle", angle, "--json"}));
-    EXPECT_EQ(json["cameras"][0]["domain"]["why"].GetString(), text::text_of({Code::kDomainGiven}, cli::with_options)) << angle;
+    EXPECT_EQ(json["cameras"][0]["domain"]["why"].GetString(), text::text_of({Code::kFieldOfViewGiven}, cli::with_options))
+        << angle;
   }
 }
 

@@ -305,7 +305,7 @@ TEST(LensCircleOption, IsSaidWhereTheModelEndsBefore) {
   const RunResult run =
       run_program({"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", seen, "--dry-run"});
   expect_said(run.out, "250.0 px");
-  EXPECT_EQ(why_of_domain(chain, seen), Code::kDomainAndInsideCircle);
+  EXPECT_EQ(why_of_domain(chain, seen), Code::kFieldOfViewAndInsideCircle);
 }
 
 // Of several images those are named that show it, and a doubt is told at one of them.
@@ -334,7 +334,7 @@ TEST(LensCircleOption, WithoutADarkBorderTheWholeImageIsLens) {
         run_program({"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", path, "--dry-run"});
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_TRUE(says(run.err, "no-lens-circle")) << run.err;
-    EXPECT_EQ(why_of_domain(chain, path), Code::kDomainWholeImage);
+    EXPECT_EQ(why_of_domain(chain, path), Code::kFieldOfViewWholeImage);
   }
 }
 

@@ -96,7 +96,7 @@ TEST(Messages, DiagnosticsTakeSeverityAndWordsFromTheTable) {
   Diagnostics diagnostics;
   diagnostics.add(Code::kLensCircleStretched, {"cam0"});
   diagnostics.add(Severity::kError, Code::kLensCircleStretched, {"cam1"});
-  diagnostics.add(Diagnostic{Severity::kError, {Code::kImageSizeNotStated, {"cam2"}}, {}, {Code::kTimeOffsetOfMilliseconds}});
+  diagnostics.add(Diagnostic{Severity::kError, {Code::kImageSizeNotGiven, {"cam2"}}, {}, {Code::kTimeOffsetOfMilliseconds}});
   ASSERT_EQ(diagnostics.entries().size(), 3U);
   EXPECT_EQ(diagnostics.entries()[0].severity, Severity::kWarning);
   EXPECT_EQ(diagnostics.entries()[1].severity, Severity::kError);

@@ -137,8 +137,8 @@ bool fix_kept_text(const Format& format, const Rig& rig, Written& written, Loade
         const std::optional<Mend> mend = refusal ? find_mend(document, view, *refusal, ask) : std::nullopt;
         if (!mend) break;
         std::vector<Message> how;
-        if (!names_mend(refusal->facts, *mend)) how.push_back({Code::kMendedHow, {mend->fix}});
-        mends.add(Code::kMended, {refusal->facts, how}, document.source().range(mend->span));
+        if (!names_mend(refusal->facts, *mend)) how.push_back({Code::kFixedHow, {mend->fix}});
+        mends.add(Code::kFixed, {refusal->facts, how}, document.source().range(mend->span));
         document.replace(mend->span, mend->text);
         views.add(*program, document.bytes(), options, std::exchange(tried, {}));
       }

@@ -113,7 +113,7 @@ void put_first(const consumers::Consumer& program, const Rig& rig, Written& writ
     file.place = std::filesystem::path(file.place).replace_filename(program.writing.equidistant_file_name).string();
   }
   const bool goes_by_name = !program.writing.equidistant_file_name.empty();  // other programs of the format ignore the name
-  if (is_new || goes_by_name) written.headline = {Code::kHeadlineAsRead, {written.headline, program.program}};
+  if (is_new || goes_by_name) written.headline = {Code::kHeadlineOfReader, {written.headline, program.program}};
 }
 
 /// The steps of a conversion from the request to proven files. Each step returns false after an error.

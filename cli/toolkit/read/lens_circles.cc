@@ -186,7 +186,7 @@ bool add_circle(const SampleImages& sample, const ImageChange& change, Files& fi
   if (!leave_out_others(camera, paths, change, files, *seen, diagnostics)) return false;
   LensCircle& circle = *seen->camera.lens_circle;
   const std::vector<std::string> shown_by = witnesses(seen->search, circle, paths);
-  circle.why = {Code::kLitCircleOf, {named(shown_by)}};
+  circle.why = {Code::kImageCircleOf, {named(shown_by)}};
   warn_of_doubts(seen->camera, shown_by.front(), diagnostics);
   camera.lens_circle = in_image_of(camera, change, seen->camera);
   if (!camera.lens_circle) diagnostics.add(Code::kCircleInStretchedImages, {camera.name}, {paths.front(), 0, 0});

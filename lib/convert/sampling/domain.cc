@@ -120,7 +120,7 @@ struct Limit {
   Code kept{};  ///< Used if it is not.
 };
 
-Limit as_given(double rad) { return {rad, Code::kDomainGiven, Code::kDomainInsideGiven}; }
+Limit as_given(double rad) { return {rad, Code::kFieldOfViewGiven, Code::kFieldOfViewInsideGiven}; }
 
 std::array<Pixel, 4> corners_of(const ImageSize& size) {
   const double right = size.width - 1.0;
@@ -200,11 +200,11 @@ std::optional<Domain> domain_within(const Lens& lens, const ImageSize& size, con
     domain.why = {given->who};
   } else if (!border_is_covered(lens, size)) {
     domain.max_angle_rad = std::min(model_limit, limit);
-    domain.why = {given && limit < model_limit ? given->who : Code::kDomainModelEnds};
+    domain.why = {given && limit < model_limit ? given->who : Code::kFieldOfViewModelEnds};
   } else {
     // The corners are lattice points, so that this is the image's largest angle. The slack keeps rounding from excluding them.
     domain.max_angle_rad = std::min(largest * (1.0 + 1e-12), std::numbers::pi);
-    domain.why = {given ? given->kept : Code::kDomainWholeImage};
+    domain.why = {given ? given->kept : Code::kFieldOfViewWholeImage};
   }
   return domain;
 }
@@ -213,19 +213,19 @@ std::optional<Domain> domain_within(const Lens& lens, const ImageSize& size, con
 void cut_by_circle(const LensCircle& circle, const Camera& camera, const Limit* limit, Domain& domain) {
   const auto is_lit = [&circle](const Pixel& pixel) { return circle.contains(pixel); };
   if (std::ranges::all_of(corners_of(domain.size), is_lit)) {
-    domain.why = {Code::kDomainInsideCircle, {circle.why}};
+    domain.why = {Code::kFieldOfViewInsideCircle, {circle.why}};
     return;
   }
   const std::optional<double> largest = largest_angle_in(circle, camera.model, domain.size);
   domain.circle = circle;
   if (!largest) {
-    domain.why = {Code::kDomainAndInsideCircle, {domain.why, circle.why}};
+    domain.why = {Code::kFieldOfViewAndInsideCircle, {domain.why, circle.why}};
     return;
   }
   constexpr double kSlack = 1.0 + 1e-9;  // rounding must not cut the rim
   const bool limited = limit != nullptr && domain.max_angle_rad == limit->rad;
   domain.max_angle_rad = std::min(domain.max_angle_rad, *largest * kSlack);
-  domain.why = limited ? Message{Code::kDomainAndCircle, {Message{limit->who}, circle.why}} : circle.why;
+  domain.why = limited ? Message{Code::kFieldOfViewAndCircle, {Message{limit->who}, circle.why}} : circle.why;
 }
 
 }  // namespace

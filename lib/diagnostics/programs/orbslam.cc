@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the ORB-SLAM programs say to a file. {0} is the key where there is one; of sizes rows come first.
+// What the ORB-SLAM programs report about a file. {0} is the key where there is one; of sizes rows come first.
 #include "../rows.h"
 #include "../topics.h"
 
@@ -84,7 +84,7 @@ std::span<const CodeInfo> orbslam_program_codes() {
           Code::kOrbslamReadsNull,
           "{0} without Camera1.k1: ORB-SLAM3 V1.0 takes camera 2's distortion from camera 1's empty array and reads a "
           "null pointer"),
-      named_misreading(Code::kOrbslamReadsBehindFour,
+      named_misreading(Code::kOrbslamReadsAfterFour,
                        "{0} without Camera1.k3: ORB-SLAM3 V1.0 reads beyond camera 1's four coefficients"),
       named_misreading(Code::kOrbslamSecondPinholeIgnored, "{0} k2 p1 p2 are ignored: ORB-SLAM3 V1.0 uses camera 1's"),
       named_misreading(Code::kOrbslamSecondFisheyeIgnored,

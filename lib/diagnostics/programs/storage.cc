@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What cv::FileStorage and PyYAML say to a file, what stands in it in their words, and what all programs say of its bytes.
+// What cv::FileStorage and PyYAML report about a file, what stands in it in their words, and what all programs say of its
+// bytes.
 #include "../rows.h"
 #include "../topics.h"
 

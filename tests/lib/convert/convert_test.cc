@@ -580,7 +580,7 @@ TEST(Convert, ALensFoldedInsideTheImageIsItsPartBeforeTheFold) {
   ASSERT_TRUE(conversion);
   const Coverage& coverage = conversion->report.judgement.coverage;
   EXPECT_NEAR(coverage.max_angle_deg, fold, 1e-6);
-  EXPECT_EQ(coverage.why.code, Code::kDomainModelEnds);
+  EXPECT_EQ(coverage.why.code, Code::kFieldOfViewModelEnds);
   const double radius = 300.0 * std::sqrt(1.0 / 1.2) * (1.0 - 0.4 / 1.2);
   EXPECT_NEAR(coverage.scored + coverage.unrepresentable, std::numbers::pi * radius * radius / (640.0 * 480.0), 2e-3);
   EXPECT_LE(conversion->report.scored_to_deg, fold + 1e-9);
