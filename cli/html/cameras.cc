@@ -3,8 +3,8 @@
 
 #include "camera_figures.h"
 #include "commands/convert/convert_command.h"
-#include "shell/judgement_text.h"
 #include "shell/option_hints.h"
+#include "shell/statistics_text.h"
 #include "shell/uncertainty_text.h"
 #include "shell/words.h"
 #include "table.h"
@@ -50,7 +50,7 @@ void put_parameters(Html& html, const ShownCamera& camera) {
   if (!camera.kept()) put("to ", camera.outcome->target.model);
 }
 
-void put_judgement(Html& html, const ShownCamera& camera) {
+void put_statistics(Html& html, const ShownCamera& camera) {
   const auto line = [&html](const char* what, const std::string& text) {
     html.element("p", {}, [&] {
       html.element("span", {{"class", "soft"}}, what);
@@ -62,7 +62,7 @@ void put_judgement(Html& html, const ShownCamera& camera) {
     return;
   }
   const ConversionReport& report = *camera.report();
-  const Judgement& j = report.judgement;
+  const ErrorStatistics& j = report.statistics;
   const std::string scored = camera.kept() ? "" : "; " + coverage_text(j.coverage, report.scored_to_deg);
   line("field of view: ", domain_in_words(j.coverage) + scored);
   if (const std::string own = uncertainty_in_words(report); !own.empty()) line("against: ", own);
@@ -99,12 +99,12 @@ void put_camera(Html& html, const ShownCamera& camera, std::optional<double> lim
                  "No camera: " + enumerated(text::texts_of(validate(camera.source.model), with_options)));
     return;
   }
-  put_judgement(html, camera);
+  put_statistics(html, camera);
   put_parameters(html, camera);
   DrawnCamera drawn{camera.source, std::string(camera.source.lens_id())};
   drawn.limit_rad = limit_rad;
   if (const ConversionReport* report = camera.report()) {
-    drawn.judgement = &report->judgement;
+    drawn.statistics = &report->statistics;
     drawn.scored_to_deg = report->scored_to_deg;
     if (report->turn) drawn.turn = &report->turn->T_target_source;
     if (report->uncertainty) drawn.uncertainty = &*report->uncertainty;

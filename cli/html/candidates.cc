@@ -63,7 +63,7 @@ void put_candidate_table(Html& html, const std::vector<Candidate>& candidates, c
            "not fitted: " + (why.empty() ? "it does not describe the lens" : message_of(why.back(), with_options))});
       continue;
     }
-    const Judgement& j = candidate.conversion->report.judgement;
+    const ErrorStatistics& j = candidate.conversion->report.statistics;
     const bool exact = candidate.conversion->report.exact;
     table.rows.push_back({id,
                           exact                    ? "exact"
@@ -88,7 +88,7 @@ void put_errors(Html& html, const Camera& camera, const std::vector<Candidate>& 
   for (const Candidate* candidate : ranked(candidates)) {
     if (candidate->conversion->report.exact || chart.curves.size() == kMostCurves) continue;
     const ConversionReport& report = candidate->conversion->report;
-    domain = std::max(domain, report.judgement.coverage.max_angle_deg);
+    domain = std::max(domain, report.statistics.coverage.max_angle_deg);
     Curve curve{"c" + std::to_string(colour++), std::string(candidate->model->id), {}};
     for (const ProfilePoint& point :
          error_profile(camera, candidate->conversion->camera.model, report.scored_to_deg / kDegreesPerRadian)) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The source may be any function pixel -> ray: a program's own camera class, a lens design, an interpolated map. Here a
 // stereographic lens, r = 2 f tan(angle / 2), which Double Sphere can be (xi = 0, alpha = 1/2) and Kannala-Brandt only nearly.
+#include <fca/convert/evaluate.h>
 #include <fca/convert/fit.h>
-#include <fca/convert/judge.h>
 #include <fca/convert/sample.h>
 
 #include <cmath>
@@ -30,8 +30,8 @@ int main() {
   const auto ds = fca::fit<fca::Ds>(samples, lens.centre());
   const auto kb4 = fca::fit<fca::Kb4>(samples, lens.centre());
   if (!ds || !kb4) return 1;
-  const fca::ErrorSummary as_ds = fca::judge(lens, fca::CameraModel(ds->model), *domain).error;
-  const fca::ErrorSummary as_kb4 = fca::judge(lens, fca::CameraModel(kb4->model), *domain).error;
+  const fca::ErrorSummary as_ds = fca::evaluate(lens, fca::CameraModel(ds->model), *domain).error;
+  const fca::ErrorSummary as_kb4 = fca::evaluate(lens, fca::CameraModel(kb4->model), *domain).error;
   std::printf("stereographic, up to %.1f deg from the axis\n", domain->max_angle_rad * 57.29577951308232);
   std::printf("  as ds:  rms %.1e px, max %.1e px\n", as_ds.rms, as_ds.max);
   std::printf("  as kb4: rms %.4f px, max %.4f px\n", as_kb4.rms, as_kb4.max);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A camera model that fca-io does not know, fitted to one that it does, and back again: equisolid angle, r = 2 f sin(angle /
 // 2), fx fy cx cy. fca/models/model_traits.h says what a model must have.
+#include <fca/convert/evaluate.h>
 #include <fca/convert/fit.h>
-#include <fca/convert/judge.h>
 #include <fca/convert/sample.h>
 
 #include <cmath>
@@ -51,8 +51,8 @@ int main() {  // TUM VI's left camera (Kannala-Brandt), as far as its lens sees
   const auto own = fca::fit<Equisolid>(fca::sample(tumvi, *domain), fca::Lens(tumvi).centre());
   const fca::Lens lens(own->model);
   const auto back = fca::fit<fca::Kb4>(fca::sample(lens, *domain), lens.centre());
-  const fca::ErrorSummary there = fca::judge(tumvi, fca::projection_of(own->model), *domain).error;
-  const fca::ErrorSummary again = fca::judge(lens, fca::CameraModel(back->model), *domain).error;
+  const fca::ErrorSummary there = fca::evaluate(tumvi, fca::projection_of(own->model), *domain).error;
+  const fca::ErrorSummary again = fca::evaluate(lens, fca::CameraModel(back->model), *domain).error;
   std::printf("kb4 -> equisolid: f %.3f, rms %.3f px, max %.3f px\n", own->model.values[0], there.rms, there.max);
   std::printf("equisolid -> kb4: rms %.2g px, max %.2g px\n", again.rms, again.max);
 }

@@ -154,18 +154,18 @@ CameraComparison comparison_of(const PreparedPair& pair, const CompareOptions& o
   result.parameters = parameters_of(reference.model, other.model);
   result.identical = reference.model == other.model && !result.other_size;
   result.scored_to_deg = std::min(pair.domain.max_angle_rad, max_angle(other.model)) * kDegreesPerRadian;
-  const JudgeOptions judged = {.every_pixel = options.every_pixel, .bound = options.bound};
+  const EvaluateOptions evaluated = {.every_pixel = options.every_pixel, .bound = options.bound};
   const internal::ModelPair as_they_are = {reference.model, other.model};
-  result.difference = internal::difference_of(as_they_are, pair.domain, judged);
+  result.difference = internal::difference_of(as_they_are, pair.domain, evaluated);
   if (pair.focus) {
     result.focus = FocusComparison{pair.focus->max_angle_rad * kDegreesPerRadian,
-                                   internal::difference_of(as_they_are, *pair.focus, judged), std::nullopt};
+                                   internal::difference_of(as_they_are, *pair.focus, evaluated), std::nullopt};
   }
   if (reference.model == other.model) return result;
   std::optional<BestRotation> best = best_rotation_of(pair, options.distance_m);
   if (!best) return result;
   const internal::ModelPair as_moved = {reference.model, other.model, &best->T_other_reference, options.distance_m};
-  JudgeOptions unproven = judged;
+  EvaluateOptions unproven = evaluated;
   unproven.bound = false;
   best->difference = internal::difference_of(as_moved, pair.domain, unproven);
   if (pair.focus) result.focus->rotated = internal::difference_of(as_moved, *pair.focus, unproven);

@@ -162,7 +162,7 @@ void add_left_out(const CameraModel& reference, const CameraModel& other, Candid
 std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, double scale,
                                   const CameraDifference& difference, const Domain& domain) {
   constexpr double kNoArea = 1e-3;
-  if (difference.judgement.error.max <= kSamePx && difference.judgement.coverage.unrepresentable <= kNoArea)
+  if (difference.statistics.error.max <= kSamePx && difference.statistics.coverage.unrepresentable <= kNoArea)
     return std::nullopt;
   Candidates candidates;
   add_shifts(other.model, scale, candidates);

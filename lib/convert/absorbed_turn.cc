@@ -42,12 +42,12 @@ void absorb_turn(const FitTask& task, const DegreeFit& fit, Conversion& conversi
       fit_with_turn(*straight.model, samples_for_turn(task, straight.reach_rad, kSamples), fit.ranges);
   ConversionReport& report = conversion.report;
   if (turned && validate(turned->fitted.model).empty()) {
-    Judgement judgement = judge_turned(task.camera.model, turned->fitted.model, turned->T_target_source, task.domain,
-                                       straight.reach_rad, task.options.every_pixel);
-    const ErrorSummary& before = report.judgement.error;
-    if (is_better(task, fit.fit, *turned, before.rms, judgement.error.rms) && reaches_as_much(report.judgement, judgement)) {
+    ErrorStatistics statistics = evaluate_turned(task.camera.model, turned->fitted.model, turned->T_target_source, task.domain,
+                                                 straight.reach_rad, task.options.every_pixel);
+    const ErrorSummary& before = report.statistics.error;
+    if (is_better(task, fit.fit, *turned, before.rms, statistics.error.rms) && reaches_as_much(report.statistics, statistics)) {
       report.turn = AbsorbedTurn{turned->T_target_source, before.rms, before.max};
-      report.judgement = std::move(judgement);
+      report.statistics = std::move(statistics);
       report.at_bound = turned->fitted.at_bound;
       conversion.camera.model = turned->fitted.model;
       return;

@@ -13,7 +13,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/domain.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 #include <fca/convert/reach.h>
 #include <fca/rig/covered_image.h>
 
@@ -98,8 +98,8 @@ bool is_worth_a_fit(const Camera& camera, double stretch, Diagnostics& diagnosti
 }
 
 /// The full evaluation of a model, given its errors on the lattice.
-Judgement final_judgement(const FitTask& task, const internal::Scorer& scorer, internal::Score lattice) {
-  return internal::judge_all(scorer, std::move(lattice), {task.options.every_pixel, task.options.bound});
+ErrorStatistics final_statistics(const FitTask& task, const internal::Scorer& scorer, internal::Score lattice) {
+  return internal::evaluate_all(scorer, std::move(lattice), {task.options.every_pixel, task.options.bound});
 }
 
 /// The angle [deg] up to which a model is scored whose fit is valid up to `reach_rad`.
@@ -118,8 +118,8 @@ bool is_surely_whole(const FitTask& task) {
 }
 
 /// Coverage without errors.
-Judgement whole_image(const Domain& domain) {
-  Judgement result;
+ErrorStatistics whole_image(const Domain& domain) {
+  ErrorStatistics result;
   result.coverage.max_angle_deg = domain.max_angle_rad / kRadiansPerDegree;
   result.coverage.why = domain.why;
   result.coverage.scored = 1.0;
@@ -137,11 +137,11 @@ std::optional<Conversion> exact_conversion(const FitTask& task) {
   conversion.report.exact = true;
   conversion.report.scored_to_deg = scored_to_deg(task, *model, std::numbers::pi);
   if (!task.options.errors_of_kept && *model == task.camera.model && is_surely_whole(task)) {
-    conversion.report.judgement = whole_image(task.domain);
+    conversion.report.statistics = whole_image(task.domain);
     return conversion;
   }
   const internal::Scorer scorer = scorer_of(task, *model, std::numbers::pi);
-  conversion.report.judgement = final_judgement(task, scorer, internal::score_on_lattice(scorer));
+  conversion.report.statistics = final_statistics(task, scorer, internal::score_on_lattice(scorer));
   return conversion;
 }
 
@@ -152,7 +152,7 @@ void minimise_largest_error(const FitTask& task, double reach_rad, std::span<con
   using Clock = std::chrono::steady_clock;
   ConversionReport& report = conversion.report;
   CameraModel& model = conversion.camera.model;
-  const Judgement& before = report.judgement;
+  const ErrorStatistics& before = report.statistics;
   report.objective = Objective::kMax;
   report.rms_fit = {before.error.rms, before.error.max, true};
   const Clock::time_point start = Clock::now();
@@ -161,27 +161,27 @@ void minimise_largest_error(const FitTask& task, double reach_rad, std::span<con
   report.fit.iterations += fit.iterations;
   if (!validate(fit.model).empty()) return;
   const internal::Scorer scorer = scorer_of(task, fit.model, reach_rad);
-  Judgement after = final_judgement(task, scorer, internal::score_on_lattice(scorer));
+  ErrorStatistics after = final_statistics(task, scorer, internal::score_on_lattice(scorer));
   if (!(after.error.max < before.error.max && after.coverage.scored >= before.coverage.scored)) return;
   report.rms_fit->kept = false;
-  report.judgement = std::move(after);
+  report.statistics = std::move(after);
   report.at_bound = std::move(fit.at_bound);
   model = fit.model;
 }
 
-/// The first fit with a proven error bound, or the first fit if none has one or no bound is requested. `judgement` receives its
-/// evaluation.
-internal::DegreeFit& choose_proven(const FitTask& task, std::vector<internal::DegreeFit>& fits, Judgement& judgement) {
-  const auto judged = [&task](internal::DegreeFit& each) {
+/// The first fit with a proven error bound, or the first fit if none has one or no bound is requested. `statistics` receives
+/// its evaluation.
+internal::DegreeFit& choose_proven(const FitTask& task, std::vector<internal::DegreeFit>& fits, ErrorStatistics& statistics) {
+  const auto evaluated = [&task](internal::DegreeFit& each) {
     const internal::Scorer scorer = scorer_of(task, each.fit.fitted.model->model, each.fit.fitted.reach_rad);
-    return final_judgement(task, scorer, std::move(each.fit.score));
+    return final_statistics(task, scorer, std::move(each.fit.score));
   };
-  judgement = judged(fits.front());
-  if (!task.options.bound || std::isfinite(judgement.error.bound)) return fits.front();
+  statistics = evaluated(fits.front());
+  if (!task.options.bound || std::isfinite(statistics.error.bound)) return fits.front();
   for (internal::DegreeFit& each : std::span(fits).subspan(1)) {
-    Judgement other = judged(each);
+    ErrorStatistics other = evaluated(each);
     if (!std::isfinite(other.error.bound)) continue;
-    judgement = std::move(other);
+    statistics = std::move(other);
     return each;
   }
   return fits.front();
@@ -196,7 +196,7 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
     return std::nullopt;
   }
   const ImageSize& size = task.domain.size;
-  const double pixels = fits.front().fit.score.judgement.coverage.scored * size.width * size.height;
+  const double pixels = fits.front().fit.score.statistics.coverage.scored * size.width * size.height;
   if (first.model && 2.0 * pixels < static_cast<double>(task.target.parameters.size())) {
     diagnostics.add(Code::kTooFewPixelsToFit, {task.camera.name, task.target.id});
     return std::nullopt;
@@ -206,7 +206,7 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
     return std::nullopt;
   }
   Conversion conversion{task.camera, {}};
-  const internal::DegreeFit& chosen = choose_proven(task, fits, conversion.report.judgement);
+  const internal::DegreeFit& chosen = choose_proven(task, fits, conversion.report.statistics);
   const internal::SampledFit& fitted = chosen.fit.fitted;
   conversion.report.fitted_to_cone = fitted.reach_rad < std::numbers::pi;
   if (conversion.report.fitted_to_cone) warn_of_cone(task, fitted.reach_rad, diagnostics);
@@ -222,7 +222,7 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
   if (task.options.absorb_turn) {
     internal::absorb_turn(task, chosen, conversion, diagnostics);
   } else if (internal::has_equal_weights(task.options.weight)) {
-    conversion.report.turn_offer = internal::offered_turn(task, chosen, conversion.report.judgement.error.rms);
+    conversion.report.turn_offer = internal::offered_turn(task, chosen, conversion.report.statistics.error.rms);
   }
   if (task.options.objective == Objective::kMax) minimise_largest_error(task, fitted.reach_rad, chosen.ranges, conversion);
   conversion.report.scored_to_deg = scored_to_deg(task, conversion.camera.model, fitted.reach_rad);
@@ -249,7 +249,7 @@ std::optional<WeightedRms> weighted_error(const Camera& camera, const FitWeight&
                                           const Domain& domain) {
   if (weight.kind == WeightKind::kPixel) return std::nullopt;
   const ConversionReport& report = conversion.report;
-  if (internal::has_equal_weights(weight)) return WeightedRms{weight.kind, report.judgement.error.rms};
+  if (internal::has_equal_weights(weight)) return WeightedRms{weight.kind, report.statistics.error.rms};
   // Only scored rays count; the slack keeps the last ray of the domain.
   constexpr double kSlack = 1.0 + 1e-9;
   const double reach_rad = kSlack * report.scored_to_deg * kRadiansPerDegree;
@@ -340,12 +340,12 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   }
   if (!conversion && is_worth_a_fit(camera, stretch, diagnostics)) conversion = fitted_conversion(task, diagnostics);
   if (!conversion) return std::nullopt;
-  if (!options.max_angle_rad && !camera.lens_circle) warn_of_fold(camera, conversion->report.judgement.coverage, diagnostics);
+  if (!options.max_angle_rad && !camera.lens_circle) warn_of_fold(camera, conversion->report.statistics.coverage, diagnostics);
   conversion->report.from_model = model_info(camera.model).id;
   conversion->report.to_model = target->id;
   conversion->report.weighted = weighted_error(camera, options.weight, *conversion, *domain);
   if (options.reach) conversion->report.reach = reach_table(camera, options, conversion->report, diagnostics);
-  if (!(conversion->report.judgement.coverage.scored > 0.0)) {
+  if (!(conversion->report.statistics.coverage.scored > 0.0)) {
     diagnostics.add(Code::kNoPartCompared, {camera.name, target->id});
     return std::nullopt;
   }

@@ -181,12 +181,12 @@ std::optional<Conversion> convert_table(const Camera& camera, const ModelInfo& t
   Domain domain;
   domain.max_angle_rad = furthest;
   domain.why = {Code::kRaysEndThere};
-  report.judgement = judge_table(table, domain, [&](const Ray& ray) {
+  report.statistics = evaluate_table(table, domain, [&](const Ray& ray) {
     return angle_from_axis(ray) <= fit.reach_rad ? project(conversion.camera.model, rotated(T_target_source, ray))
                                                  : std::nullopt;
   });
   diagnostics.add(Code::kOnlyRaysCompared, {camera.name, table.size()});
-  if (!(report.judgement.coverage.scored > 0.0)) {
+  if (!(report.statistics.coverage.scored > 0.0)) {
     diagnostics.add(Code::kNoPartCompared, {camera.name, target.id});
     return std::nullopt;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The core of a conversion, sampling and fit together at N = 200: the paper's 12 pairs, and a selection of others. Not in it:
-// the domain, which a conversion asks for once, and the judge.
+// the domain, which a conversion asks for once, and the evaluation.
 #include "lib/convert/known_cameras.h"
 
 #include <convert/fitting/fit_model.h>

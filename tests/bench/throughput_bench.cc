@@ -51,7 +51,7 @@ void unprojection(benchmark::State& state, const CameraModel& model) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }
 
-/// The same as the judge does it.
+/// The same as evaluate() does it.
 void batches(benchmark::State& state, const CameraModel& model, bool rays) {
   const std::vector<Correspondence> points = points_of(model);
   internal::Batch batch;

@@ -523,9 +523,9 @@ TEST(Convert, JsonWithoutAnOutputHoldsTheFile) {
 
 TEST(Convert, JsonOfFailuresSaysSo) {
   const TemporaryFolder folder;
-  const RunResult judged = run_program({"convert", kTumvi, "--with", kImu, "--to", "kalibr", "--strict", "--json"});
-  EXPECT_EQ(judged.code, 1);
-  const Json strict = json_of(judged);
+  const RunResult evaluated = run_program({"convert", kTumvi, "--with", kImu, "--to", "kalibr", "--strict", "--json"});
+  EXPECT_EQ(evaluated.code, 1);
+  const Json strict = json_of(evaluated);
   EXPECT_EQ(strict["exit_code"].GetInt(), 1);
   EXPECT_EQ(strict["outputs"].Size(), 0U);
   EXPECT_EQ(strict["refused_outputs"].Size(), 1U);
@@ -552,7 +552,7 @@ TEST(Convert, MeiOfAParabolaMirrorIsProven) {
   }
 }
 
-TEST(Convert, MaxErrorJudgesTheLargestErrorOfTheReport) {
+TEST(Convert, MaxErrorLimitsTheLargestErrorOfTheReport) {
   const Json json = json_of(run_program({"convert", kDs, "--to", "orbslam3", "--sensor", "mono", "--json"}));
   double worst = 0.0;
   for (const Value& camera : json["cameras"].GetArray()) worst = std::max(worst, camera["error_px"]["max"].GetDouble());
@@ -640,7 +640,7 @@ TEST(Convert, TheAdviceForALensOutOfReachNamesWhatTheProgramReads) {
   EXPECT_EQ(models["kb4"].code, Code::kModelExact);
   for (const auto& [model, code] : {std::pair{"mei", Code::kModelRms}, {"rational", Code::kModelRmsUpTo}}) {
     ASSERT_EQ(models[model].code, code) << model;
-    const double rms = converted("opencv", model).cameras.at(0).report->judgement.error.rms;
+    const double rms = converted("opencv", model).cameras.at(0).report->statistics.error.rms;
     EXPECT_NEAR(argument<double>(models[model], 1), rms, 0.01 * rms) << model;
   }
   // ORB-SLAM3 reads neither.

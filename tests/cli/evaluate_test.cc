@@ -611,7 +611,7 @@ TEST_F(Evaluate, OurPolynomialIsTheBestOne) {
   EXPECT_NEAR(a2, -0.0018, 0.0001);
 }
 
-TEST_F(Evaluate, PolynomialsOfTheProgramAreJudgedOnEveryPixel) {
+TEST_F(Evaluate, PolynomialsOfTheProgramAreEvaluatedOnEveryPixel) {
   const Size size = size_in(polynomials());
   const PrintedCamera source = camera_in(polynomials()["source"]);
   int fitted = 0;

@@ -59,7 +59,7 @@ Code why_of_domain(const std::string& chain, const std::string& seen) {
   const bool fitted = result.cameras.size() == 1 && result.cameras.front().report;
   EXPECT_TRUE(fitted) << (result.diagnostics.entries().empty() ? std::string()
                                                                : message_of(result.diagnostics.entries().front()));
-  return fitted ? result.cameras.front().report->judgement.coverage.why.code : Code::kNone;
+  return fitted ? result.cameras.front().report->statistics.coverage.why.code : Code::kNone;
 }
 
 /// The diagnostics of that file in a run with --json.

@@ -111,7 +111,7 @@ TEST(CompareFiles, AFileIsExactlyItself) {
     EXPECT_TRUE(result.identical());
     EXPECT_EQ(said(result), "");
     EXPECT_EQ(result.cameras.size(), rig.cameras.size());
-    for (const CameraComparison& camera : result.cameras) EXPECT_EQ(camera.difference.judgement.error.max, 0.0);
+    for (const CameraComparison& camera : result.cameras) EXPECT_EQ(camera.difference.statistics.error.max, 0.0);
     for (const PoseComparison& pose : result.poses) EXPECT_EQ(pose.angle_rad + pose.distance_m, 0.0);
     EXPECT_TRUE(result.only_in_reference.empty() && result.only_in_other.empty());
   }
@@ -135,7 +135,7 @@ TEST(CompareFiles, EveryFileOfTheCorpusIsExactlyItself) {
       EXPECT_FALSE(diagnostics.has_errors()) << message_of(diagnostics.entries().front());
       EXPECT_TRUE(result.identical() && result.mistakes.empty());
       EXPECT_EQ(result.cameras.size(), calibration->rig.cameras.size());
-      for (const CameraComparison& camera : result.cameras) EXPECT_EQ(camera.difference.judgement.error.max, 0.0);
+      for (const CameraComparison& camera : result.cameras) EXPECT_EQ(camera.difference.statistics.error.max, 0.0);
       ++compared_files;
     }
   }
@@ -513,7 +513,7 @@ TEST(CompareFiles, ALensUnderAnotherModelsNameIsRecognised) {
         other.cameras.front().model = *wrong;
         const RigComparison compared =
             compare(reference, other, {.max_angle_rad = 50.0 * kRadiansPerDegree, .bound = false}, diagnostics);
-        if (compared.cameras.empty() || compared.cameras.front().difference.judgement.error.max <= 1.0) continue;
+        if (compared.cameras.empty() || compared.cameras.front().difference.statistics.error.max <= 1.0) continue;
         ++pairs;
         ASSERT_EQ(compared.mistakes.size(), 1U) << right.id << " as " << name.id;
         EXPECT_EQ(id_of(compared.mistakes.front().message), "wrong-model") << right.id << " as " << name.id;

@@ -249,7 +249,7 @@ TEST(OpenCvConsumer, RefusesBytesThatOpenCvDoesNotTake) {
   expect_refused(load("opencv", flat + "\"z\": 1}"), Code::kCvNoCameraMatrix);
 }
 
-// cv::FileStorage is the judge: of a file, as programs open it, and not of bytes in memory.
+// cv::FileStorage decides: about a file, as programs open it, and not about bytes in memory.
 TEST(OpenCvConsumer, TakesTheFilesThatFileStorageTakes) {
   const std::string yaml = mono(kD5, 5);
   const std::string xml =

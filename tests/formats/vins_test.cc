@@ -84,7 +84,7 @@ TEST(Vins, ScaramuzzasAffinePartIsTheOtherWayRound) {
   }
 }
 
-// What camodocal loads as zeros without a word, its judge refuses.
+// What camodocal loads as zeros without a word, its consumer refuses.
 TEST(Vins, TheProgramsSilenceIsARefusal) {
   const std::string bytes = good("vins", "mei-crlf.yaml");
   EXPECT_TRUE(program().load(bytes, {}).loads());

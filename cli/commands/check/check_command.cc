@@ -24,7 +24,7 @@ ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& con
   console.say(source.name + ": " + (arguments.write ? "fixed" : "would be fixed (--write does it)") + "\n" +
               line_diff(source.bytes, better->bytes));
   source = *better;
-  if (!arguments.write) return ExitCode::kJudgedBad;  // as the file is
+  if (!arguments.write) return ExitCode::kRejected;  // as the file is
   const OutputFile output{source.name, source.bytes};
   remove_leftovers(std::filesystem::path(source.name).parent_path().string());
   const std::optional<Message> problem = put_files(std::span(&output, 1), true, console);
@@ -37,7 +37,7 @@ ExitCode code_of(const CheckReport& report, const CheckArguments& arguments) {
   if (!report.is_calibration) return ExitCode::kBadInput;
   const bool bad = report.verdict.word == VerdictWord::kDoNotUse || report.has(Severity::kError) ||
                    (arguments.fail_on_warnings && report.has(Severity::kWarning));
-  return bad ? ExitCode::kJudgedBad : ExitCode::kGood;
+  return bad ? ExitCode::kRejected : ExitCode::kGood;
 }
 
 /// The report of a file that could not be opened.

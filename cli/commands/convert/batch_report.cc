@@ -38,7 +38,7 @@ void BatchReport::add(const Finished& finished, bool is_reached) {
   if (!is_reached) row.result = "not written";
   table_.add(row);
   has_result_ = has_result_ || finished.has_result();
-  if (finished.is_judged) words_.add(finished.word);
+  if (finished.is_evaluated) words_.add(finished.word);
   const bool is_good = finished.code == ExitCode::kGood;
   const auto is_file = [](const OutputFile& file) { return !file.path.empty(); };
   if (is_good) ++good_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert_command.h"
-#include "shell/judgement_text.h"
 #include "shell/option_hints.h"
 #include "shell/program_words.h"
+#include "shell/statistics_text.h"
 #include "shell/uncertainty_text.h"
 #include "shell/verdict_text.h"
 #include "shell/words.h"
@@ -94,7 +94,7 @@ std::string why_at_bound(const ConversionReport& report, const Format& to, const
 std::string objective_text(const ConversionReport& report) {
   if (!report.rms_fit) return "";
   if (report.rms_fit->kept) return "  objective max: nothing near the rms fit has a smaller worst pixel, so that is kept\n";
-  const ErrorSummary& error = report.judgement.error;
+  const ErrorSummary& error = report.statistics.error;
   return "  objective max: worst pixel " + pixels(report.rms_fit->max_px) + " -> " + pixels(error.max) + " px, rms " +
          pixels(report.rms_fit->rms_px) + " -> " + pixels(error.rms) + " px\n";
 }
@@ -108,7 +108,7 @@ std::string weight_text(const ConversionReport& report) {
 }
 
 std::string report_text(const ConversionReport& report, const Format& to, const CameraModel& target) {
-  const Judgement& j = report.judgement;
+  const ErrorStatistics& j = report.statistics;
   std::string text = domain_text(j.coverage);
   text += "          " + coverage_text(j.coverage, report.scored_to_deg) + "\n";
   text += "  error:  " + error_text(j) + "\n";
@@ -232,8 +232,8 @@ std::string convert_text(const ConvertOutcome& outcome, bool written, bool with_
     text += "\n" + name_in_words(camera) + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
     const bool kept = camera.source.model == camera.target.model;
     if (camera.report) {
-      text +=
-          kept ? domain_text(camera.report->judgement.coverage) : report_text(*camera.report, *outcome.to, camera.target.model);
+      text += kept ? domain_text(camera.report->statistics.coverage)
+                   : report_text(*camera.report, *outcome.to, camera.target.model);
     }
     if (kept) text += "  error:  none: the same model and parameters\n";
     const std::string own = camera.report ? uncertainty_in_words(*camera.report) : "";

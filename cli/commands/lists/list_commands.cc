@@ -196,7 +196,7 @@ std::string candidates_json(const std::string& file, const std::vector<ModelsRes
     json.put("model", candidate.model->id);
     json.put("fits", candidate.conversion.has_value());
     if (!candidate.conversion) return;
-    const Judgement& j = candidate.conversion->report.judgement;
+    const ErrorStatistics& j = candidate.conversion->report.statistics;
     json.put("exact", candidate.conversion->report.exact);
     json.put("rms_px", j.error.rms);
     json.put("max_px", j.error.max);
@@ -241,7 +241,7 @@ std::string numbers(std::initializer_list<std::string> cells) {
 /// Of a wide lens both regions, the one that decides first.
 std::string row_text(const Candidate& candidate, bool is_wide) {
   const ConversionReport& report = candidate.conversion->report;
-  const ErrorSummary& error = report.judgement.error;
+  const ErrorSummary& error = report.statistics.error;
   const PixelDistance& circle = candidate.decisive();
   const bool is_less = !reaches_all(candidate);
   const std::string_view id = candidate.model->id;

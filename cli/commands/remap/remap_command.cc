@@ -143,7 +143,7 @@ ExitCode run_remap(const RemapArguments& arguments, Console& console) {
   if (const std::optional<std::string> error = problem_with_output(arguments, images, result.source.name))
     return console.refuse(ExitCode::kUsage, *error);
   if (result.status == Status::kRejected)
-    return console.refuse(ExitCode::kJudgedBad, result.source.name + " sees nothing of that view; nothing is written");
+    return console.refuse(ExitCode::kRejected, result.source.name + " sees nothing of that view; nothing is written");
   console.show(result.diagnostics);
   if (const std::optional<std::string> failure = write_parts(arguments, result.map, result.mask, console))
     return console.refuse(ExitCode::kIo, *failure);

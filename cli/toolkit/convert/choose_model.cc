@@ -125,8 +125,8 @@ Merit merit_of(const std::vector<ConvertedCamera>& outcomes, Objective objective
   Merit merit;
   for (const ConvertedCamera& outcome : outcomes) {
     if (!outcome.report) continue;
-    merit.unrepresentable += outcome.report->judgement.coverage.unrepresentable;
-    const ErrorSummary& error = outcome.report->judgement.error;
+    merit.unrepresentable += outcome.report->statistics.coverage.unrepresentable;
+    const ErrorSummary& error = outcome.report->statistics.error;
     merit.square_sum += std::pow(objective == Objective::kMax ? error.max : outcome.report->fitted_rms_px(), 2);
   }
   return merit;
@@ -168,7 +168,7 @@ double share_behind(const std::vector<ConvertedCamera>& outcomes) {
   double share = 0.0;
   for (const ConvertedCamera& outcome : outcomes) {
     if (!outcome.report) continue;
-    for (const ErrorBand& band : outcome.report->judgement.bands) share += band.from_deg >= kAheadDeg ? band.share : 0.0;
+    for (const ErrorBand& band : outcome.report->statistics.bands) share += band.from_deg >= kAheadDeg ? band.share : 0.0;
   }
   return share;
 }
@@ -177,8 +177,8 @@ double share_behind(const std::vector<ConvertedCamera>& outcomes) {
 bool is_good_everywhere(const std::vector<ConvertedCamera>& outcomes) {
   constexpr double kGoodRms = 0.25;  // px
   return std::ranges::all_of(outcomes, [](const ConvertedCamera& outcome) {
-    const Judgement* judgement = outcome.report ? &outcome.report->judgement : nullptr;
-    return judgement != nullptr && judgement->coverage.unrepresentable <= kSameCoverage && judgement->error.rms <= kGoodRms;
+    const ErrorStatistics* statistics = outcome.report ? &outcome.report->statistics : nullptr;
+    return statistics != nullptr && statistics->coverage.unrepresentable <= kSameCoverage && statistics->error.rms <= kGoodRms;
   });
 }
 

@@ -3,7 +3,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/common_lens.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 #include <fca/convert/reach.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::optional<ConversionReport> report_of(const Camera& source, const CameraMode
   ConversionReport report;
   report.from_model = source.lens_id();
   report.to_model = model_info(model).id;
-  report.judgement = judge(source.model, model, *domain, {.every_pixel = request.every_pixel});
+  report.statistics = evaluate(source.model, model, *domain, {.every_pixel = request.every_pixel});
   report.scored_to_deg = std::min(domain->max_angle_rad, max_angle(model)) * kDegrees;
   return report;
 }
@@ -66,8 +66,8 @@ bool share_lens(const ConvertRequest& request, const Format& to, std::size_t hel
     const std::optional<ConversionReport> misread = report_of(sources.at(i), before[i], request, diagnostics);
     std::optional<ConversionReport> report = report_of(sources.at(i), (*after)[i], request, diagnostics);
     if (!misread || !report) return false;
-    rms_before.at(i) = misread->judgement.error.rms;
-    rms_after.at(i) = report->judgement.error.rms;
+    rms_before.at(i) = misread->statistics.error.rms;
+    rms_after.at(i) = report->statistics.error.rms;
     cameras[i].target.model = (*after)[i];
     cameras[i].report = std::move(report);
   }

@@ -117,7 +117,7 @@ bool is_cut_by_program(const ConvertedCamera& camera, const std::vector<CameraPr
   if (proof == seen.end() || !camera.report) return false;
   if (camera.source.lens_id() == camera.target.lens_id()) return false;
   // Outside the scored part the model itself has no correct ray, by its formula or because it was fitted to a smaller cone.
-  return share_lost(*proof) > 1.0 - camera.report->judgement.coverage.scored + kSameShare;
+  return share_lost(*proof) > 1.0 - camera.report->statistics.coverage.scored + kSameShare;
 }
 
 /// The best way to write the files so far, and the others that were tried.

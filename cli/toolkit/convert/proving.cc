@@ -85,7 +85,7 @@ void take_figures_of_fits(const std::vector<ConvertedCamera>& cameras, ProofResu
         std::ranges::find(cameras, camera.name, [](const ConvertedCamera& each) { return each.source.name; });
     if (converted == cameras.end() || !converted->report || converted->report->exact) continue;
     PixelDistance& image = camera.distance.in_image;
-    const Judgement& fit = converted->report->judgement;
+    const ErrorStatistics& fit = converted->report->statistics;
     const bool is_as_written = camera.agrees && !camera.misread && camera.max_diff_px <= kSamePx;
     const bool is_same_region = image.no_rays == 0.0 && std::abs(image.region - fit.coverage.scored) <= kSameShare;
     if (!is_as_written || !is_same_region) continue;
@@ -164,7 +164,7 @@ void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagn
 
 void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& request, const Written& written,
             const text::Document* base, LoadedViews& views, ConvertResult& result) {
-  bool judged = false;
+  bool evaluated = false;
   std::vector<CalibratedCamera> calibrated;
   calibrated.reserve(result.cameras.size());
   for (const ConvertedCamera& camera : result.cameras) {
@@ -176,7 +176,7 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
   for (const std::string& id : output.programs) {
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
-    judged = true;
+    evaluated = true;
     consumers::LoadOptions options = load_options(written, rig);
     options.file_name = name_for(*consumer, output, request);
     ProofResult proof = prove(
@@ -209,7 +209,7 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
     }
     result.proofs.push_back(std::move(proof));
   }
-  if (judged) return;
+  if (evaluated) return;
   result.unproven.push_back(output.path);
   std::vector<Message> of_path;
   if (!output.path.empty()) of_path.push_back({Code::kOfPath, {output.path}});

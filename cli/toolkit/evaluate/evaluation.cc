@@ -6,7 +6,7 @@
 #include "sample_sweep.h"
 
 #include <fca/convert/domain.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,9 +48,9 @@ std::optional<TimedConversion> timed_conversion(const Camera& camera, ConvertOpt
   }
   std::ranges::nth_element(times, times.begin() + kRuns / 2);
   options.every_pixel = true;
-  std::optional<Conversion> judged = convert(camera, options, diagnostics);
-  if (!judged) return std::nullopt;
-  return TimedConversion{std::move(*judged), times[kRuns / 2]};
+  std::optional<Conversion> evaluated = convert(camera, options, diagnostics);
+  if (!evaluated) return std::nullopt;
+  return TimedConversion{std::move(*evaluated), times[kRuns / 2]};
 }
 
 SampleError error_on_samples(const CameraModel& source, const CameraModel& target, const Domain& domain) {
@@ -145,7 +145,7 @@ std::optional<EvaluatedPolynomials> evaluate_polynomials(Diagnostics& diagnostic
     row.method = published.method;
     row.polynomial = published.polynomial;
     row.model = paper::camera_of(published.polynomial, principal_point(source.model));
-    row.judgement = judge(source.model, CameraModel(row.model), *ahead, {.every_pixel = true, .bound = false});
+    row.statistics = evaluate(source.model, CameraModel(row.model), *ahead, {.every_pixel = true, .bound = false});
     result.rows.push_back(std::move(row));
   }
   for (const PolynomialFit& fit : polynomial_fits()) {
@@ -162,7 +162,7 @@ std::optional<EvaluatedPolynomials> evaluate_polynomials(Diagnostics& diagnostic
     row.polynomial = paper::polynomial_of(row.model);
     row.fit = timed->conversion.report.fit;
     row.time_us = timed->time_us;
-    row.judgement = std::move(timed->conversion.report.judgement);
+    row.statistics = std::move(timed->conversion.report.statistics);
     result.rows.push_back(std::move(row));
   }
   for (EvaluatedPolynomial& row : result.rows) row.rmse = rmse(row.polynomial, table.toolbox);

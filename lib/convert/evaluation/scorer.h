@@ -5,7 +5,7 @@
 #include "../../models/kernels/batch.h"
 
 #include <fca/convert/angle_limit.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 
 #include <optional>
 #include <span>

@@ -178,8 +178,8 @@ std::array<double, N> Summary::percentiles(const std::array<double, N>& shares) 
   return result;
 }
 
-Judgement Summary::judgement(const Domain& domain) const {
-  Judgement result;
+ErrorStatistics Summary::statistics(const Domain& domain) const {
+  ErrorStatistics result;
   result.coverage.max_angle_deg = domain.max_angle_rad / kRadiansPerDegree;
   result.coverage.why = domain.why;
   result.coverage.circle = domain.circle;

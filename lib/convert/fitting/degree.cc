@@ -91,7 +91,7 @@ std::vector<DegreeFit> fit_degrees(const FitTask& task) {
     return fits;
   }
   constexpr double kSameShare = 1e-3;
-  const auto reached = [](const DegreeFit& each) { return each.fit.score.judgement.coverage.scored; };
+  const auto reached = [](const DegreeFit& each) { return each.fit.score.statistics.coverage.scored; };
   for (const DegreeRanges& degree : degrees) {
     DegreeFit fit = fit_with(task, degree);
     const bool has_model = fit.fit.fitted.model.has_value();

@@ -43,8 +43,8 @@ double rms_ratio_to_samples(double rms_px, const FittedModel& fitted) {
 }
 
 /// The rms over the image [px], with the weights that the fit minimises.
-double rms_of(const FitTask& task, const SampledFit& fitted, const Judgement& judgement) {
-  if (has_equal_weights(task.options.weight)) return judgement.error.rms;
+double rms_of(const FitTask& task, const SampledFit& fitted, const ErrorStatistics& statistics) {
+  if (has_equal_weights(task.options.weight)) return statistics.error.rms;
   return weighted_rms(task.options.weight, task.camera.model, fitted.model->model, task.domain, fitted.reach_rad);
 }
 
@@ -67,12 +67,13 @@ DomainFit fit_and_score(const FitTask& task) {
       break;
     }
     Score score = score_on_lattice({task.camera.model, &finer.model->model, nullptr, task.domain, finer.reach_rad});
-    const Judgement& judgement = score.judgement;
-    const Judgement& before = result.score.judgement;
-    const double rms_px = rms_of(task, finer, judgement);
-    const bool helps = is_first || judgement.coverage.scored > before.coverage.scored + 1e-3 || rms_px < kHelps * result.rms_px;
+    const ErrorStatistics& statistics = score.statistics;
+    const ErrorStatistics& before = result.score.statistics;
+    const double rms_px = rms_of(task, finer, statistics);
+    const bool helps =
+        is_first || statistics.coverage.scored > before.coverage.scored + 1e-3 || rms_px < kHelps * result.rms_px;
     const double unlike = rms_ratio_to_samples(rms_px, *finer.model);
-    const bool misses_edge = judgement.coverage.unrepresentable > kVeryEdge;
+    const bool misses_edge = statistics.coverage.unrepresentable > kVeryEdge;
     if (helps) {
       result.fitted = std::move(finer);
       result.score = std::move(score);
@@ -89,7 +90,7 @@ DomainFit fit_and_score(const FitTask& task) {
 /// True if the model has a pixel for every ray of the domain except at its very edge (kVeryEdge). Its image radius then grows
 /// up to there, since a model's domain ends where the radius stops growing.
 bool reaches(const DomainFit& fit) {
-  return fit.fitted.model && fit.fitted.model->reaches_all && fit.score.judgement.coverage.unrepresentable <= kVeryEdge;
+  return fit.fitted.model && fit.fitted.model->reaches_all && fit.score.statistics.coverage.unrepresentable <= kVeryEdge;
 }
 
 /// The fit without the coefficient that may bend the image radius back. It is made when first needed.
@@ -106,11 +107,11 @@ class PlainerFit {
   bool is_better_than(const DomainFit& fit) {
     // px. A plainer fit that ends before the whole domain has nearly reached its limit of 1 px.
     constexpr double kNeverWorse = 0.5;
-    if (!coefficient_ || fit.score.judgement.error.rms <= kNeverWorse) return false;
+    if (!coefficient_ || fit.score.statistics.error.rms <= kNeverWorse) return false;
     if (!made_) make();
     if (!made_->fitted.model || made_->fitted.reach_rad >= fit.fitted.reach_rad) return false;
     const Scorer inside(task_.camera.model, &fit.fitted.model->model, nullptr, task_.domain, made_->fitted.reach_rad);
-    return score_on_lattice(inside).judgement.error.rms > made_->score.judgement.error.rms;
+    return score_on_lattice(inside).statistics.error.rms > made_->score.statistics.error.rms;
   }
 
   [[nodiscard]] Micros time() const { return made_ ? made_->time : Micros{}; }
@@ -209,7 +210,7 @@ DomainFit fit_domain(const FitTask& task) {
   if (const std::optional<FittedModel>& model = result.fitted.model) {
     // A cone's fit was scored inside the cone only; the reported error is that over the whole domain.
     result.score = score_on_lattice({task.camera.model, &model->model, nullptr, task.domain, result.fitted.reach_rad});
-    result.rms_px = rms_of(task, result.fitted, result.score.judgement);
+    result.rms_px = rms_of(task, result.fitted, result.score.statistics);
   }
   return result;
 }

@@ -33,7 +33,7 @@ bool costs_nothing(const DomainFit& inside, const DomainFit& free) {
   constexpr double kNextToNothing = 1.01;
   constexpr double kNobodySees = 1e-4;  // px
   constexpr double kSameShare = 1e-3;
-  return inside.fitted.model && inside.score.judgement.coverage.scored >= free.score.judgement.coverage.scored - kSameShare &&
+  return inside.fitted.model && inside.score.statistics.coverage.scored >= free.score.statistics.coverage.scored - kSameShare &&
          rms_of(inside) <= std::max(kNextToNothing * rms_of(free), rms_of(free) + kNobodySees);
 }
 

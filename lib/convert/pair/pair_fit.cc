@@ -10,7 +10,7 @@
 #include "matches.h"
 
 #include <fca/convert/domain.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 #include <fca/convert/sample.h>
 
 #include <Eigen/Core>
@@ -187,13 +187,13 @@ std::optional<Conversion> conversion_to(const SeparateFit& fit, const State& sta
   Conversion result = fit.conversion;
   ConversionReport& report = result.report;
   const double reach_rad = report.scored_to_deg * std::numbers::pi / 180.0;
-  Judgement judgement =
-      is_turned
-          ? internal::judge_turned(fit.source.model, state.model, T_target_source, *domain, reach_rad, fit.options.every_pixel)
-          : judge(fit.source.model, state.model, *domain, {fit.options.every_pixel, fit.options.bound, reach_rad});
-  if (!internal::reaches_as_much(report.judgement, judgement)) return std::nullopt;
-  if (is_turned) report.turn = AbsorbedTurn{T_target_source, report.judgement.error.rms, report.judgement.error.max};
-  report.judgement = std::move(judgement);
+  ErrorStatistics statistics =
+      is_turned ? internal::evaluate_turned(fit.source.model, state.model, T_target_source, *domain, reach_rad,
+                                            fit.options.every_pixel)
+                : evaluate(fit.source.model, state.model, *domain, {fit.options.every_pixel, fit.options.bound, reach_rad});
+  if (!internal::reaches_as_much(report.statistics, statistics)) return std::nullopt;
+  if (is_turned) report.turn = AbsorbedTurn{T_target_source, report.statistics.error.rms, report.statistics.error.max};
+  report.statistics = std::move(statistics);
   report.turn_offer.reset();
   result.camera.model = state.model;
   return result;

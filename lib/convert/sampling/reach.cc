@@ -27,9 +27,9 @@ std::optional<Domain> wide_domain(const Camera& camera, const ConvertOptions& op
 }
 
 ReachRow row_of(double angle_rad, const ConversionReport& report) {
-  const Judgement& judgement = report.judgement;
-  return {angle_rad / kRadiansPerDegree,      report.scored_to_deg, judgement.coverage.scored,
-          judgement.coverage.unrepresentable, judgement.error.rms,  judgement.error.max};
+  const ErrorStatistics& statistics = report.statistics;
+  return {angle_rad / kRadiansPerDegree,       report.scored_to_deg, statistics.coverage.scored,
+          statistics.coverage.unrepresentable, statistics.error.rms, statistics.error.max};
 }
 
 std::optional<ReachRow> fitted_row(const Camera& camera, ConvertOptions options, double angle_rad) {
@@ -49,7 +49,7 @@ ReachRow row_beyond(const Camera& camera, Domain domain, double angle_rad, const
   domain.max_angle_rad = angle_rad;
   const internal::Scorer lens(camera.model, &camera.model, nullptr, domain, std::numbers::pi);
   ReachRow row = row_of(angle_rad, report);
-  row.unrepresentable = internal::score_on_lattice(lens).judgement.coverage.scored - row.scored;
+  row.unrepresentable = internal::score_on_lattice(lens).statistics.coverage.scored - row.scored;
   return row;
 }
 
@@ -95,7 +95,7 @@ std::vector<ReachRow> reach_table(const Camera& camera, const ConvertOptions& op
 std::vector<ReachRow> reach_table(const Camera& camera, const ConvertOptions& options, const ConversionReport& report,
                                   Diagnostics& diagnostics) {
   // The whole lens was scored, and it ends within 90 degrees: there is no smaller angle to try.
-  if (report.judgement.coverage.unrepresentable == 0.0 && report.scored_to_deg <= kFirstDeg) return {};
+  if (report.statistics.coverage.unrepresentable == 0.0 && report.scored_to_deg <= kFirstDeg) return {};
   const std::optional<Domain> domain = wide_domain(camera, options, diagnostics);
   return domain ? rows(camera, options, *domain, &report) : std::vector<ReachRow>();
 }

@@ -146,7 +146,7 @@ std::optional<PixelUncertainty> of_table(const Camera& source, const CameraModel
   const std::vector<Correspondence> table = fitted_entries(source, target, report);
   const std::optional<Uncertainty> fitted = uncertainty_of_residuals(target, table, report.at_bound);
   if (!fitted) return std::nullopt;
-  std::optional<PixelUncertainty> result = summary_of(target, *fitted, places_of(table), report.judgement.bands);
+  std::optional<PixelUncertainty> result = summary_of(target, *fitted, places_of(table), report.statistics.bands);
   if (!result) return std::nullopt;
   result->of_residuals = true;
   result->sigmas = fitted->sigmas;
@@ -209,7 +209,7 @@ std::optional<PixelUncertainty> pixel_uncertainty(const Camera& source, const Ca
   const std::optional<Domain> domain = domain_of(source, max_angle_rad, reported_before);
   if (!domain) return std::nullopt;
   std::optional<PixelUncertainty> result =
-      summary_of(source.model, *stated, lattice_of(source, target.model, report, *domain), report.judgement.bands);
+      summary_of(source.model, *stated, lattice_of(source, target.model, report, *domain), report.statistics.bands);
   if (!result || result->is_limit || source.model == target.model) return result;
   Domain scored = *domain;
   scored.max_angle_rad = std::min(scored.max_angle_rad, report.scored_to_deg * std::numbers::pi / 180.0);

@@ -5,7 +5,7 @@
 #include "random_model.h"
 
 #include <fca/convert/convert.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -110,7 +110,7 @@ TEST_P(BoundTest, IsNeverBelowTheMaximumAndCloseToIt) {
     const std::optional<Conversion> conversion = convert(c.camera, options, diagnostics);
     const std::optional<Domain> domain = domain_of(c.camera, options.max_angle_rad, diagnostics);
     ASSERT_TRUE(conversion && domain);
-    const ErrorSummary& error = conversion->report.judgement.error;
+    const ErrorSummary& error = conversion->report.statistics.error;
     EXPECT_GE(error.bound, error.max);
     // A perspective target of a lens that passes 90 degrees has errors without limit.
     constexpr double kUnlimited = 1e5;  // px
@@ -137,7 +137,7 @@ TEST(Bound, IsInfiniteWhereTheErrorIs) {
   const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
   ASSERT_TRUE(domain);
   const CameraModel pinhole = Intrinsics<Pinhole>{{190, 190, 255, 256}};
-  EXPECT_TRUE(std::isinf(judge(camera.model, pinhole, *domain).error.bound));
+  EXPECT_TRUE(std::isinf(evaluate(camera.model, pinhole, *domain).error.bound));
 }
 
 TEST(Bound, IsLooseAndTrueWhenTheBudgetEnds) {
@@ -163,7 +163,7 @@ TEST(Bound, OfAProgramIsNotProven) {
   const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
   ASSERT_TRUE(domain);
   const Projection program = [&](const Ray& ray) { return project(camera.model, ray); };
-  EXPECT_TRUE(std::isinf(judge(camera.model, program, *domain).error.bound));
+  EXPECT_TRUE(std::isinf(evaluate(camera.model, program, *domain).error.bound));
 }
 
 RC_GTEST_PROP(BoundProperty, IsNeverBelowAnErrorThatOccurs, ()) {

@@ -39,7 +39,7 @@ TEST(LeastRms, NoFitIsBetter) {
         EXPECT_GT(*least, 0.0);
         // A cone is fitted where the whole is off by more than a pixel.
         const double reached_px =
-            fit->report.fitted_to_cone ? std::numeric_limits<double>::infinity() : fit->report.judgement.error.rms;
+            fit->report.fitted_to_cone ? std::numeric_limits<double>::infinity() : fit->report.statistics.error.rms;
         whole += fit->report.fitted_to_cone ? 0 : 1;
         EXPECT_LE(*least, kOtherPixels * reached_px) << model << " from " << fit->report.from_model << " " << angle;
       }
@@ -58,7 +58,7 @@ TEST(LeastRms, OfAPinholeIsNearlyThatOfItsFit) {
   const std::optional<double> least = least_rms_px(camera, "pinhole", options.max_angle_rad);
   ASSERT_TRUE(fit && least);
   EXPECT_FALSE(fit->report.fitted_to_cone);
-  EXPECT_GT(kOtherPixels * *least, fit->report.judgement.error.rms);
+  EXPECT_GT(kOtherPixels * *least, fit->report.statistics.error.rms);
 }
 
 TEST(LeastRms, IsNothingOfACameraOfTheModel) {

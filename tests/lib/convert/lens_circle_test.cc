@@ -4,7 +4,7 @@
 
 #include <fca/convert/convert.h>
 #include <fca/convert/domain.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ TEST(LensCircle, ThePixelsInItAreTheDomain) {
   }
   const std::optional<Conversion> conversion = converted(camera, "ds");
   ASSERT_TRUE(conversion);
-  const Coverage& coverage = conversion->report.judgement.coverage;
+  const Coverage& coverage = conversion->report.statistics.coverage;
   EXPECT_EQ(coverage.scored_pixels + coverage.unrepresentable_pixels, inside);
   EXPECT_NEAR(coverage.scored + coverage.unrepresentable + coverage.outside_lens, 1.0, 1e-12);
   ASSERT_TRUE(coverage.circle);
@@ -60,8 +60,8 @@ TEST(LensCircle, NeedsNotHoldThePrincipalPoint) {
   for (const char* target : {"ucm", "eucm", "ds", "mei", "ocamcalib"}) {
     const std::optional<Conversion> conversion = converted(camera, target);
     ASSERT_TRUE(conversion) << target;
-    EXPECT_LE(conversion->report.judgement.error.rms, 0.02) << target;
-    EXPECT_EQ(conversion->report.judgement.coverage.unrepresentable, 0.0) << target;
+    EXPECT_LE(conversion->report.statistics.error.rms, 0.02) << target;
+    EXPECT_EQ(conversion->report.statistics.coverage.unrepresentable, 0.0) << target;
   }
 }
 
@@ -80,7 +80,7 @@ TEST(LensCircle, AFitToItIsTheBestInIt) {
     const std::optional<Conversion> image = converted(without, model);
     ASSERT_TRUE(lit && cone && image);
     const auto rms_in_circle = [&](const CameraModel& target) {
-      return judge(camera.model, target, *domain, {.every_pixel = true}).error.rms;
+      return evaluate(camera.model, target, *domain, {.every_pixel = true}).error.rms;
     };
     constexpr double kAlike = 1.0005;
     EXPECT_LE(rms_in_circle(lit->camera.model), kAlike * rms_in_circle(cone->camera.model));
@@ -97,8 +97,8 @@ TEST(LensCircle, AroundTheAxisItIsACone) {
   const std::optional<Conversion> lit = converted(camera, "eucm");
   const std::optional<Conversion> cone = converted(tumvi, "eucm", domain->max_angle_rad);
   ASSERT_TRUE(lit && cone);
-  const Judgement& a = lit->report.judgement;
-  const Judgement& b = cone->report.judgement;
+  const ErrorStatistics& a = lit->report.statistics;
+  const ErrorStatistics& b = cone->report.statistics;
   EXPECT_NEAR(a.error.rms, b.error.rms, 1e-3 * b.error.rms);
   EXPECT_NEAR(a.error.max, b.error.max, 1e-2 * b.error.max);
   EXPECT_NEAR(a.coverage.scored, b.coverage.scored, 1e-3);
@@ -111,7 +111,7 @@ TEST(LensCircle, OneAroundTheWholeImageCutsNothing) {
   const std::optional<Conversion> whole = converted(tumvi, "eucm");
   ASSERT_TRUE(lit && whole);
   EXPECT_EQ(lit->camera.model, whole->camera.model);
-  EXPECT_FALSE(lit->report.judgement.coverage.circle);
+  EXPECT_FALSE(lit->report.statistics.coverage.circle);
 }
 
 // The worst pixel may be anywhere on the rim: it is there that the other objective makes it smaller.
@@ -125,7 +125,7 @@ TEST(LensCircle, ItsRimIsLookedAlongForTheWorstPixel) {
   const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
   ASSERT_TRUE(conversion && domain);
   ASSERT_TRUE(conversion->report.rms_fit);
-  EXPECT_LT(conversion->report.judgement.error.max, conversion->report.rms_fit->max_px);
+  EXPECT_LT(conversion->report.statistics.error.max, conversion->report.rms_fit->max_px);
   constexpr int kAzimuths = 5'000;
   double worst = 0.0;
   for (int i = 0; i < kAzimuths; ++i) {
@@ -136,8 +136,8 @@ TEST(LensCircle, ItsRimIsLookedAlongForTheWorstPixel) {
     const std::optional<Pixel> image = ray ? project(conversion->camera.model, *ray) : std::nullopt;
     if (image) worst = std::max(worst, std::hypot((*image)[0] - pixel[0], (*image)[1] - pixel[1]));
   }
-  EXPECT_GE(conversion->report.judgement.error.max, worst * (1.0 - 1e-6));
-  EXPECT_LE(conversion->report.judgement.error.bound, 1.1 * conversion->report.judgement.error.max + 1e-9);
+  EXPECT_GE(conversion->report.statistics.error.max, worst * (1.0 - 1e-6));
+  EXPECT_LE(conversion->report.statistics.error.bound, 1.1 * conversion->report.statistics.error.max + 1e-9);
 }
 
 }  // namespace

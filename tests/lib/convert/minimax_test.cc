@@ -101,8 +101,8 @@ class MinimaxTest : public testing::TestWithParam<Case> {};
 TEST_P(MinimaxTest, TheWorstPixelIsNeverWorseAndIsPaidInRms) {
   const Conversion rms = converted(GetParam(), Objective::kRms);
   const Conversion max = converted(GetParam(), Objective::kMax);
-  const Judgement& before = rms.report.judgement;
-  const Judgement& after = max.report.judgement;
+  const ErrorStatistics& before = rms.report.statistics;
+  const ErrorStatistics& after = max.report.statistics;
   EXPECT_LE(after.error.max, before.error.max);
   // The least-squares fit is one on samples: within half a percent of the image's optimum.
   EXPECT_GE(after.error.rms, before.error.rms / 1.005);
@@ -195,7 +195,7 @@ TEST(Minimax, RangesOfTheTargetAreKept) {
   const std::optional<Conversion> eucm = convert(test::euroc(), options, diagnostics);
   ASSERT_TRUE(eucm);
   EXPECT_TRUE(within(eucm->camera.model, options.ranges));
-  EXPECT_LT(eucm->report.judgement.error.max, eucm->report.rms_fit->max_px);
+  EXPECT_LT(eucm->report.statistics.error.max, eucm->report.rms_fit->max_px);
   EXPECT_EQ(eucm->report.at_bound, std::vector<std::string>{"alpha"});
 
   options.model = "radtan";
@@ -203,7 +203,7 @@ TEST(Minimax, RangesOfTheTargetAreKept) {
   const std::optional<Conversion> radtan = convert(test::kalibr_kb4(), options, diagnostics);
   ASSERT_TRUE(radtan);
   EXPECT_EQ(parameter(radtan->camera.model, "k3").value(), 0.0);
-  EXPECT_LT(radtan->report.judgement.error.max, radtan->report.rms_fit->max_px);
+  EXPECT_LT(radtan->report.statistics.error.max, radtan->report.rms_fit->max_px);
   EXPECT_TRUE(radtan->report.at_bound.empty()) << "a fixed parameter is no bound that was hit";
 }
 
@@ -223,12 +223,12 @@ TEST(Minimax, WhatIsExactStaysExact) {
   options.model = "mei";
   const std::optional<Conversion> mei = convert(test::euroc(), options, diagnostics);
   ASSERT_TRUE(mei);
-  EXPECT_LE(mei->report.judgement.error.max, kExact);
+  EXPECT_LE(mei->report.statistics.error.max, kExact);
   options.model = "ds";
   const Camera symmetric = test::make_camera(Intrinsics<Eucm>{{300, 300, 319.5, 239.5, 0.6, 1.0}}, {640, 480});
   const std::optional<Conversion> ds = convert(symmetric, options, diagnostics);
   ASSERT_TRUE(ds);
-  EXPECT_LE(ds->report.judgement.error.max, kExact);
+  EXPECT_LE(ds->report.statistics.error.max, kExact);
 }
 
 TEST(Minimax, TheSameQuestionHasTheSameAnswer) {
@@ -247,7 +247,7 @@ TEST(Minimax, ASteepFitIsNotKept) {
   const Conversion max = converted(steep, Objective::kMax);
   ASSERT_TRUE(max.report.rms_fit);
   EXPECT_FALSE(max.report.rms_fit->kept);
-  EXPECT_LT(max.report.judgement.error.max, 0.1 * rms.report.judgement.error.max);
+  EXPECT_LT(max.report.statistics.error.max, 0.1 * rms.report.statistics.error.max);
 }
 
 }  // namespace

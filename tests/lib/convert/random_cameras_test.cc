@@ -211,8 +211,8 @@ TEST(RandomCameras, NoFitIsWorseThanTwentyStarts) {
 /// Over every pixel of the domain; infinite where one is out of the model's reach.
 double rms_over_pixels(const Camera& camera, const CameraModel& model, const Domain& domain) {
   const internal::Scorer scorer(camera.model, &model, nullptr, domain, std::numbers::pi);
-  const Judgement judgement = internal::score_every_pixel(scorer).judgement;
-  return judgement.coverage.unrepresentable > 0.0 ? std::numeric_limits<double>::infinity() : judgement.error.rms;
+  const ErrorStatistics statistics = internal::score_every_pixel(scorer).statistics;
+  return statistics.coverage.unrepresentable > 0.0 ? std::numeric_limits<double>::infinity() : statistics.error.rms;
 }
 
 /// The domain's pixels: in blocks of 4 x 4 one place for all, next to the image's border and the lens's edge each of them.
@@ -260,7 +260,7 @@ double reference_over_pixels(const Camera& camera, const Domain& domain, Random&
   return std::isfinite(reference.rms_px) ? best : reference.rms_px;
 }
 
-/// One conversion, judged by every pixel, beside its reference.
+/// One conversion, evaluated by every pixel, beside its reference.
 template <CameraModelType M>
 bool expect_no_worse_over_pixels(const Camera& camera, Random& random) {
   ConvertOptions options;
@@ -274,7 +274,7 @@ bool expect_no_worse_over_pixels(const Camera& camera, Random& random) {
   const double reference = reference_over_pixels<M>(camera, *domain, random);
   // Nobody sees it. What was fitted to a cone leaves out the worst pixels.
   constexpr double kNobodySees = 1e-4;
-  const double rms = conversion->report.judgement.error.rms;
+  const double rms = conversion->report.statistics.error.rms;
   EXPECT_LE(rms, 1.02 * reference + kNobodySees)
       << model_info(camera.model).id << " "
       << ::testing::PrintToString(
@@ -284,7 +284,7 @@ bool expect_no_worse_over_pixels(const Camera& camera, Random& random) {
   return std::isfinite(reference);
 }
 
-// The samples of a fit may hide what the image shows: here every pixel judges, and the reference is the best over the image.
+// The samples of a fit may hide what the image shows: here every pixel counts, and the reference is the best over the image.
 TEST(RandomCameras, NoConversionIsWorseOverTheImage) {
   Random random(24);
   const int count = how_many(10);
@@ -355,7 +355,7 @@ TEST(RandomCameras, ConversionsHoldTogether) {
       }
       ++conversions;
       EXPECT_TRUE(validate(conversion->camera.model).empty());
-      const auto& [coverage, error] = std::tie(conversion->report.judgement.coverage, conversion->report.judgement.error);
+      const auto& [coverage, error] = std::tie(conversion->report.statistics.coverage, conversion->report.statistics.error);
       EXPECT_NEAR(coverage.scored + coverage.outside_lens + coverage.unrepresentable, 1.0, 1e-9);
       for (const double number : {error.rms, error.mean, error.p50, error.p95, error.p99, error.max})
         EXPECT_TRUE(number >= 0.0 && std::isfinite(number)) << target.id;

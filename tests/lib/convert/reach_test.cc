@@ -42,7 +42,7 @@ TEST(ReachTable, ShowsWhatBlackCornersCost) {
   ASSERT_TRUE(conversion);
   ASSERT_EQ(conversion->report.reach.size(), table.size());
   EXPECT_EQ(conversion->report.reach.back().rms_px, table.back().rms_px);
-  EXPECT_DOUBLE_EQ(conversion->report.judgement.error.rms, table.back().rms_px);
+  EXPECT_DOUBLE_EQ(conversion->report.statistics.error.rms, table.back().rms_px);
 }
 
 /// Inside wider and wider angles the same target never scores less of the image, and says so where it ends earlier.
@@ -57,7 +57,7 @@ void expect_no_loss(const Camera& camera, std::string_view target, const std::ve
     Diagnostics diagnostics;
     const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
     ASSERT_TRUE(conversion);
-    const Coverage& coverage = conversion->report.judgement.coverage;
+    const Coverage& coverage = conversion->report.statistics.coverage;
     EXPECT_GE(coverage.scored, before - 1e-3);
     const bool said = std::ranges::any_of(diagnostics.entries(), [](const Diagnostic& entry) {
       return id_of(entry) == "target-cannot-reach" || id_of(entry) == "folds-inside-image";
@@ -89,9 +89,9 @@ TEST(ReachTable, OnlyWhatSeesAheadOnlyHasALimitOfTheError) {
     })) << target;
     const ConversionReport& report = conversion->report;
     if (sees_ahead_only) {
-      EXPECT_LE(report.judgement.error.rms, 1.0);
+      EXPECT_LE(report.statistics.error.rms, 1.0);
     } else {
-      EXPECT_GT(report.judgement.error.rms, 1.0) << target;
+      EXPECT_GT(report.statistics.error.rms, 1.0) << target;
       EXPECT_GT(report.scored_to_deg, 120.0) << target;
     }
     expect_no_loss(camera, target, steps(60.0, 180.0, 15.0));
@@ -133,12 +133,12 @@ void expect_rows_are_conversions(const Camera& camera, std::string_view target) 
     options.max_angle_rad = row.max_angle_deg * test::kRadians;
     const std::optional<Conversion> inside = convert(camera, options, diagnostics);
     ASSERT_TRUE(inside);
-    const Judgement& judgement = inside->report.judgement;
-    EXPECT_NEAR(row.rms_px, judgement.error.rms, 1e-3 * judgement.error.rms);
-    EXPECT_NEAR(row.max_px, judgement.error.max, 1e-2 * judgement.error.max);
+    const ErrorStatistics& statistics = inside->report.statistics;
+    EXPECT_NEAR(row.rms_px, statistics.error.rms, 1e-3 * statistics.error.rms);
+    EXPECT_NEAR(row.max_px, statistics.error.max, 1e-2 * statistics.error.max);
     EXPECT_NEAR(row.scored_to_deg, inside->report.scored_to_deg, 1e-3);
-    EXPECT_NEAR(row.scored, judgement.coverage.scored, 1e-3);
-    EXPECT_NEAR(row.unrepresentable, judgement.coverage.unrepresentable, 1e-3);
+    EXPECT_NEAR(row.scored, statistics.coverage.scored, 1e-3);
+    EXPECT_NEAR(row.unrepresentable, statistics.coverage.unrepresentable, 1e-3);
   }
   options.max_angle_rad.reset();
   // And so is what is worked out without the conversion at hand.

@@ -323,7 +323,7 @@ TEST(Uncertainty, FollowsTheImagesSize) {
   }
 }
 
-// A map of every pixel is the judge of the summary.
+// A map of every pixel checks the summary.
 TEST(Uncertainty, WorstPixelIsTheWorstOfAllPixels) {
   const Camera camera = test::euroc();
   const Uncertainty uncertainty = calibrated(camera, 1.0);

@@ -43,7 +43,7 @@ struct AngleSummary {
 
 /// How far two cameras are apart.
 struct CameraDifference {
-  Judgement judgement;  ///< The judge of conversions: pixel -> ray by the reference -> pixel by the other.
+  ErrorStatistics statistics;  ///< As of a conversion: pixel -> ray by the reference -> pixel by the other.
   AngleSummary angle;
   /// No pixel up to that angle from the reference's axis is further off than kSamePx; the domain's angle where none is at all.
   double same_to_deg = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One camera as another model would describe it. Steps, each in its own file: domain -> sample -> fit -> judge.
+// One camera as another model would describe it. Steps, each in its own file: domain -> sample -> fit -> evaluate.
 #pragma once
 
 #include <fca/convert/fit_weight.h>

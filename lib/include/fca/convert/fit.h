@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A fit of any camera model, listed or one's own, to rays and pixels: the step of convert() between sample() and judge().
+// A fit of any camera model, listed or one's own, to rays and pixels: the step of convert() between sample() and evaluate().
 #pragma once
 
 #include <fca/convert/fit_target.h>

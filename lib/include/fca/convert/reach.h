@@ -16,7 +16,7 @@ namespace fca {
 [[nodiscard]] bool sees_ahead_only(std::string_view model_id);
 
 /// What the same conversion would reach inside 90, 95, 100, ... degrees from the axis, up to and including the domain's angle:
-/// one fit per row, judged inside its own angle. Empty where there is no such choice: options.max_angle_rad is given, the
+/// one fit per row, evaluated inside its own angle. Empty where there is no such choice: options.max_angle_rad is given, the
 /// camera's lens circle is known, or the domain ends within 90 degrees. Black corners of an image are not lens, but no file
 /// tells them apart (TUM-VI kb4 -> eucm: 2.91 px at most over the whole image, 0.20 px inside the lens).
 ///

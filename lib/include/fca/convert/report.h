@@ -55,8 +55,8 @@ struct Coverage {
   long long unrepresentable_pixels = 0;
 };
 
-/// What the judge says of a pair of models.
-struct Judgement {
+/// The error statistics of a pair of models.
+struct ErrorStatistics {
   Coverage coverage;
   ErrorSummary error;
   std::vector<ErrorBand> bands;
@@ -72,7 +72,7 @@ struct PixelUncertainty {
   double max_px = 0.0;
   Pixel max_at{};            ///< The source's pixel where it is.
   double most_sigmas = 0.0;  ///< The largest ratio, over the image, of the conversion's error to the uncertainty there.
-  std::vector<double> bands_px = {};    ///< Root mean square between the angles of Judgement::bands, one for one.
+  std::vector<double> bands_px = {};    ///< Root mean square between the angles of ErrorStatistics::bands, one for one.
   std::vector<double> sigmas = {};      ///< Of the target's parameters; empty where `is_limit`, and of an exact copy.
   std::vector<double> covariance = {};  ///< The same, row by row.
 };
@@ -139,7 +139,7 @@ struct ConversionReport {
   std::string from_model;
   std::string to_model;
   bool exact = false;  ///< The target contains the source: same pixels by construction, no fit.
-  Judgement judgement;
+  ErrorStatistics statistics;
   /// Nothing further from the axis was scored: the domain's largest angle, or where the target ends, by itself or because it
   /// was fitted to a cone.
   double scored_to_deg = 0.0;
@@ -147,7 +147,7 @@ struct ConversionReport {
   FitSummary fit;
   int degree = 0;  ///< Of the polynomial that was fitted; 0: the target is none, or nothing was fitted.
   Objective objective = Objective::kRms;
-  std::optional<WeightedRms> weighted = {};  ///< Where pixels do not count alike; Judgement has the errors of all pixels.
+  std::optional<WeightedRms> weighted = {};  ///< Where pixels do not count alike; ErrorStatistics has the errors of all pixels.
   std::optional<RmsFit> rms_fit;             ///< Of a fit for the largest error.
   std::vector<std::string> at_bound;         ///< Parameters that ended at the edge of their range.
   std::vector<UnusualParameter> unusual;
@@ -157,7 +157,7 @@ struct ConversionReport {
   std::vector<ReachRow> reach;  ///< Only if asked for, and where the lens's angle matters and nothing states it (reach.h).
 
   /// The root mean square that the fit made small.
-  [[nodiscard]] double fitted_rms_px() const { return weighted ? weighted->rms_px : judgement.error.rms; }
+  [[nodiscard]] double fitted_rms_px() const { return weighted ? weighted->rms_px : statistics.error.rms; }
 };
 
 }  // namespace fca

@@ -38,7 +38,7 @@ struct ConvertedCamera {
   /// The share of the image that the target does not reach; 0 where nobody notices.
   [[nodiscard]] double unrepresented_share() const {
     constexpr double kNoticeable = 5e-4;
-    const double share = report ? report->judgement.coverage.unrepresentable : 0.0;
+    const double share = report ? report->statistics.coverage.unrepresentable : 0.0;
     return share > kNoticeable ? share : 0.0;
   }
 };

@@ -35,7 +35,8 @@ struct Row {
   double parameter_error = 0.0;        ///< "PE": L2 norm of the difference to a separate calibration's parameters.
   double psnr_db = 0.0;                ///< Of the paper's image, which is not ours, and of one recovered from it.
   double ssim = 0.0;
-  /// What the authors' program makes of it, judged on every 4th pixel of the image instead: our measurement, not the paper's.
+  /// What the authors' program makes of it, evaluated on every 4th pixel of the image instead: our measurement, not the
+  /// paper's.
   std::optional<ErrorFigures> authors_over_image;
   std::string_view why;  ///< Where the printed figures differ from the image's, and why.
 };

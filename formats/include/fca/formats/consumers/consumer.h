@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A consumer is a real program (Kalibr, ORB-SLAM3, ...) as a judge of bytes: would it load them, and what would it understand?
+// A consumer imitates a real program (Kalibr, ORB-SLAM3, ...): would it load those bytes, and what would it read from them?
 //
 // Consumers are written from the program's documented or observed behaviour and share no code with fca's models or text layer.
 // That independence is their whole worth: a mistake of ours cannot hide in both.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 
 #include "lattice.h"
 #include "maximum.h"
@@ -47,22 +47,22 @@ bool is_steep(const ErrorSummary& error, const ImageSize& size) {
 
 /// Replaces the error sums of the lattice by sums over all pixels. The coverage, which gives shares of the image, stays the
 /// lattice's.
-void sum_over_pixels(const Scorer& scorer, Judgement& judgement) {
+void sum_over_pixels(const Scorer& scorer, ErrorStatistics& statistics) {
   constexpr int kBinsPerOctave = 64;
   Summary summary(kBinsPerOctave);
   add_pixels(scorer, summary);
-  const Judgement pixels = summary.judgement(scorer.domain());
+  const ErrorStatistics pixels = summary.statistics(scorer.domain());
   if (pixels.coverage.scored == 0.0) return;
-  const ErrorSummary polished = judgement.error;
-  judgement.error = pixels.error;
-  judgement.error.bound = polished.bound;
+  const ErrorSummary polished = statistics.error;
+  statistics.error = pixels.error;
+  statistics.error.bound = polished.bound;
   if (polished.max >= pixels.error.max) {
-    judgement.error.max = polished.max;
-    judgement.error.max_at = polished.max_at;
+    statistics.error.max = polished.max;
+    statistics.error.max_at = polished.max_at;
   }
-  for (std::size_t i = 0; i < std::min(judgement.bands.size(), pixels.bands.size()); ++i) {
-    judgement.bands[i].rms_px = pixels.bands[i].rms_px;
-    judgement.bands[i].max_px = std::max(judgement.bands[i].max_px, pixels.bands[i].max_px);
+  for (std::size_t i = 0; i < std::min(statistics.bands.size(), pixels.bands.size()); ++i) {
+    statistics.bands[i].rms_px = pixels.bands[i].rms_px;
+    statistics.bands[i].max_px = std::max(statistics.bands[i].max_px, pixels.bands[i].max_px);
   }
 }
 
@@ -72,15 +72,15 @@ Score score_on_lattice(const Scorer& scorer) {
   constexpr int kBinsPerOctave = 64;
   Summary summary(kBinsPerOctave);
   score_lattice(scorer, [&](const Batch& batch, std::size_t count) { summary.add(batch, count); });
-  return {summary.judgement(scorer.domain()), summary.worst()};
+  return {summary.statistics(scorer.domain()), summary.worst()};
 }
 
 Score score_every_pixel(const Scorer& scorer) {
   constexpr int kBinsPerOctave = 1024;  // percentiles to 0.1 %
   Summary summary(kBinsPerOctave);
   add_pixels(scorer, summary);
-  Score score{summary.judgement(scorer.domain()), summary.worst()};
-  Coverage& coverage = score.judgement.coverage;
+  Score score{summary.statistics(scorer.domain()), summary.worst()};
+  Coverage& coverage = score.statistics.coverage;
   coverage.scored_pixels = summary.count(Verdict::kScored);
   coverage.outside_lens_pixels = summary.count(Verdict::kOutsideLens);
   coverage.unrepresentable_pixels = summary.count(Verdict::kUnrepresentable);
@@ -91,30 +91,30 @@ Score score_every_pixel(const Scorer& scorer) {
   return score;
 }
 
-Judgement judge_all(const Scorer& scorer, Score lattice, const JudgeOptions& options) {
+ErrorStatistics evaluate_all(const Scorer& scorer, Score lattice, const EvaluateOptions& options) {
   Score score = options.every_pixel ? score_every_pixel(scorer) : std::move(lattice);
-  Judgement& judgement = score.judgement;
-  find_maximum(scorer, score.worst, options.bound, judgement);
-  if (!options.every_pixel && is_steep(judgement.error, scorer.domain().size)) sum_over_pixels(scorer, judgement);
-  return std::move(score.judgement);
+  ErrorStatistics& statistics = score.statistics;
+  find_maximum(scorer, score.worst, options.bound, statistics);
+  if (!options.every_pixel && is_steep(statistics.error, scorer.domain().size)) sum_over_pixels(scorer, statistics);
+  return std::move(score.statistics);
 }
 
 }  // namespace internal
 
 namespace {
 
-Judgement judge_all(const internal::Scorer& scorer, const JudgeOptions& options) {
-  return internal::judge_all(scorer, options.every_pixel ? internal::Score() : internal::score_on_lattice(scorer), options);
+ErrorStatistics evaluate_all(const internal::Scorer& scorer, const EvaluateOptions& options) {
+  return internal::evaluate_all(scorer, options.every_pixel ? internal::Score() : internal::score_on_lattice(scorer), options);
 }
 
 }  // namespace
 
-Judgement judge(const Lens& source, const Projection& target, const Domain& domain, const JudgeOptions& options) {
-  return judge_all(internal::Scorer(source, nullptr, &target, domain, options.target_reach_rad), options);
+ErrorStatistics evaluate(const Lens& source, const Projection& target, const Domain& domain, const EvaluateOptions& options) {
+  return evaluate_all(internal::Scorer(source, nullptr, &target, domain, options.target_reach_rad), options);
 }
 
-Judgement judge(const Lens& source, const CameraModel& target, const Domain& domain, const JudgeOptions& options) {
-  return judge_all(internal::Scorer(source, &target, nullptr, domain, options.target_reach_rad), options);
+ErrorStatistics evaluate(const Lens& source, const CameraModel& target, const Domain& domain, const EvaluateOptions& options) {
+  return evaluate_all(internal::Scorer(source, &target, nullptr, domain, options.target_reach_rad), options);
 }
 
 }  // namespace fca

@@ -23,7 +23,7 @@ template <CameraModelType M>
   };
 }
 
-struct JudgeOptions {
+struct EvaluateOptions {
   bool every_pixel = false;  ///< Score each pixel of the image instead of a lattice, and count them.
   /// Prove ErrorSummary::bound. Both must be models of the list: a proof encloses a model over whole ranges of rays with every
   /// rounding counted, for which the listed ones are written a second time, in ball arithmetic (lib/convert/bound/polar.h). A
@@ -39,14 +39,14 @@ struct JudgeOptions {
 /// the image's border and has nothing to do with the points of a fit: spokes from the principal point, cut at the borders of
 /// the angle bands and at the edges of the lens and of the target's reach. Rms, bands and shares are those of all pixels, each
 /// counted once: points are weighted by the pixels they stand for, and the rms is within 0.3 % of that of every pixel;
-/// small images are judged pixel by pixel, and so are those of up to half a megapixel whose largest error is more than 15 times
-/// the rms, of up to two megapixels more than 100 times: what is lost in so few places no lattice tells. The maximum is
+/// small images are evaluated pixel by pixel, and so are those of up to half a megapixel whose largest error is more than 15
+/// times the rms, of up to two megapixels more than 100 times: what is lost in so few places no lattice tells. The maximum is
 /// polished between lattice points and along the edge of the lens to 1e-3 px in position. Its bound is proven by branch and
 /// bound on enclosures of both models, for all rays of the domain (lib/convert/bound.h says how): typically 1 % above the
 /// maximum.
-[[nodiscard]] Judgement judge(const Lens& source, const Projection& target, const Domain& domain,
-                              const JudgeOptions& options = {});
-[[nodiscard]] Judgement judge(const Lens& source, const CameraModel& target, const Domain& domain,
-                              const JudgeOptions& options = {});
+[[nodiscard]] ErrorStatistics evaluate(const Lens& source, const Projection& target, const Domain& domain,
+                                       const EvaluateOptions& options = {});
+[[nodiscard]] ErrorStatistics evaluate(const Lens& source, const CameraModel& target, const Domain& domain,
+                                       const EvaluateOptions& options = {});
 
 }  // namespace fca

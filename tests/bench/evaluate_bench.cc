@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Judging a conversion: the certificate (lattice, polished maximum, bound) and every pixel, by source and target. The targets
-// are fits, as those of a conversion are.
+// Evaluating a conversion: the certificate (lattice, polished maximum, bound) and every pixel, by source and target. The
+// targets are fits, as those of a conversion are.
 #include "lib/convert/known_cameras.h"
 
 #include <convert/bound/bound.h>
 #include <convert/evaluation/stages.h>
 #include <fca/convert/convert.h>
 #include <fca/convert/domain.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 
 #include <benchmark/benchmark.h>
 
@@ -25,7 +25,7 @@ struct Source {
   std::optional<double> max_angle_deg;
 };
 
-/// A conversion to be judged.
+/// A conversion to be evaluated.
 struct Pair {
   Domain domain;
   CameraModel target;
@@ -43,16 +43,16 @@ Pair make_pair(const Source& source, const std::string& target) {
 
 void certificate(benchmark::State& state, const Source& source, const std::string& target) {
   const Pair pair = make_pair(source, target);
-  Judgement judgement;
-  for (auto _ : state) judgement = judge(source.camera.model, pair.target, pair.domain);
+  ErrorStatistics statistics;
+  for (auto _ : state) statistics = evaluate(source.camera.model, pair.target, pair.domain);
   char label[64];
-  std::snprintf(label, sizeof label, "bound / max %.4f", judgement.error.bound / judgement.error.max);
+  std::snprintf(label, sizeof label, "bound / max %.4f", statistics.error.bound / statistics.error.max);
   state.SetLabel(label);
 }
 
 void every_pixel(benchmark::State& state, const Source& source, const std::string& target) {
   const Pair pair = make_pair(source, target);
-  JudgeOptions options;
+  EvaluateOptions options;
   options.every_pixel = true;
   options.bound = false;
   const internal::Scorer scorer(source.camera.model, &pair.target, nullptr, pair.domain, options.target_reach_rad);
@@ -70,7 +70,7 @@ void lattice(benchmark::State& state, const Source& source, const std::string& t
 
 void bound(benchmark::State& state, const Source& source, const std::string& target) {
   const Pair pair = make_pair(source, target);
-  const double seen = judge(source.camera.model, pair.target, pair.domain).error.max;
+  const double seen = evaluate(source.camera.model, pair.target, pair.domain).error.max;
   internal::ErrorBound proof;
   for (auto _ : state) proof = internal::bound_error(source.camera.model, pair.target, pair.domain, 4.0, seen);
   state.SetLabel(std::to_string(proof.evaluations) + " evaluations");

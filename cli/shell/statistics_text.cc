@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "judgement_text.h"
+#include "statistics_text.h"
 
 #include "option_hints.h"
 #include "shell/words.h"
@@ -39,15 +39,15 @@ std::string coverage_text(const Coverage& coverage, double scored_to_deg) {
   return result;
 }
 
-bool is_larger_than(const Judgement& judgement, const ImageSize& image) {
-  return judgement.error.rms > std::hypot(image.width, image.height);
+bool is_larger_than(const ErrorStatistics& statistics, const ImageSize& image) {
+  return statistics.error.rms > std::hypot(image.width, image.height);
 }
 
-std::string error_text(const Judgement& judgement, const std::optional<ImageSize>& image) {
-  const ErrorSummary& error = judgement.error;
-  if (image && is_larger_than(judgement, *image))
+std::string error_text(const ErrorStatistics& statistics, const std::optional<ImageSize>& image) {
+  const ErrorSummary& error = statistics.error;
+  if (image && is_larger_than(statistics, *image))
     return "further apart than the image is large (" + size_in_words(*image) + " px)";
-  const bool all = judgement.coverage.unrepresentable == 0.0 && judgement.coverage.outside_lens <= kNoticeableShare;
+  const bool all = statistics.coverage.unrepresentable == 0.0 && statistics.coverage.outside_lens <= kNoticeableShare;
   const bool is_in_image = !image || error.bound <= std::hypot(image->width, image->height);
   const std::string bound = std::isfinite(error.bound) && is_in_image
                                 ? "proven below " + pixels(error.bound, image) + (all ? " everywhere" : " where it was scored")

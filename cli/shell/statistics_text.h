@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the judge says of two cameras, for people: lines behind two blanks.
+// The error statistics of two cameras, for people: lines after two blanks.
 #pragma once
 
 #include <fca/convert/report.h>
@@ -23,10 +23,10 @@ namespace fca::cli {
 [[nodiscard]] std::string coverage_text(const Coverage& coverage, double scored_to_deg);
 /// "rms 0.118 px, max 2.96 px at (511.0, 0.0), proven below 2.98 everywhere"
 /// With an image size: prints no distance larger than the image.
-[[nodiscard]] std::string error_text(const Judgement& judgement, const std::optional<ImageSize>& image = {});
+[[nodiscard]] std::string error_text(const ErrorStatistics& statistics, const std::optional<ImageSize>& image = {});
 
 /// Is the rms larger than the image's diagonal?
-[[nodiscard]] bool is_larger_than(const Judgement& judgement, const ImageSize& image);
+[[nodiscard]] bool is_larger_than(const ErrorStatistics& statistics, const ImageSize& image);
 
 /// A further column of the table of bands, a cell for each band.
 struct BandColumn {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the judge says of two cameras, as members of an open object: the same keys wherever two cameras are judged.
+// The error statistics of two cameras, as members of an open object: the same keys wherever two cameras are evaluated.
 #pragma once
 
 #include "json.h"

@@ -3,7 +3,7 @@
 
 #include <convert/evaluation/lattice.h>
 #include <fca/convert/convert.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ BruteForce brute_force(const CameraModel& source, const CameraModel& target, con
   return result;
 }
 
-TEST(Judge, AgreesWithEveryPixel) {
+TEST(Evaluate, AgreesWithEveryPixel) {
   struct Case {
     Camera camera;
     std::optional<double> max_angle_deg;
@@ -70,7 +70,7 @@ TEST(Judge, AgreesWithEveryPixel) {
     const std::optional<Conversion> conversion = convert(c.camera, options, diagnostics);
     const std::optional<Domain> domain = domain_of(c.camera, options.max_angle_rad, diagnostics);
     ASSERT_TRUE(conversion && domain);
-    const Judgement& j = conversion->report.judgement;
+    const ErrorStatistics& j = conversion->report.statistics;
     const BruteForce truth = brute_force(c.camera.model, conversion->camera.model, *domain);
     EXPECT_NEAR(j.error.rms, truth.rms, 0.005 * truth.rms) << c.target;
     // The true maximum lies between half pixels: never below what they show, and not above by more than the error can grow
@@ -119,7 +119,7 @@ struct Source {
 };
 
 /// Bands of which there are too few pixels say nothing.
-void expect_same_bands(const Judgement& lattice, const Judgement& pixels) {
+void expect_same_bands(const ErrorStatistics& lattice, const ErrorStatistics& pixels) {
   constexpr double kFewPixels = 0.003;
   for (std::size_t i = 0; i < pixels.bands.size(); ++i) {
     const ErrorBand& band = pixels.bands[i];
@@ -130,7 +130,7 @@ void expect_same_bands(const Judgement& lattice, const Judgement& pixels) {
   }
 }
 
-TEST(Judge, TheLatticeStandsForEveryPixel) {
+TEST(Evaluate, TheLatticeStandsForEveryPixel) {
   for (const TablePair& pair : table()) {
     for (const char* target : pair.targets) {
       SCOPED_TRACE(std::string(model_info(pair.camera.model).id) + " -> " + target);
@@ -142,11 +142,11 @@ TEST(Judge, TheLatticeStandsForEveryPixel) {
       const std::optional<Conversion> conversion = convert(pair.camera, options, diagnostics);
       const std::optional<Domain> domain = domain_of(pair.camera, options.max_angle_rad, diagnostics);
       ASSERT_TRUE(conversion && domain);
-      const Judgement& lattice = conversion->report.judgement;
-      JudgeOptions every_pixel;
+      const ErrorStatistics& lattice = conversion->report.statistics;
+      EvaluateOptions every_pixel;
       every_pixel.every_pixel = true;
       every_pixel.bound = false;
-      const Judgement pixels = judge(pair.camera.model, conversion->camera.model, *domain, every_pixel);
+      const ErrorStatistics pixels = evaluate(pair.camera.model, conversion->camera.model, *domain, every_pixel);
       constexpr double kRounding = 1e-9;  // px: radtan -> mei with xi = 0, and the exact pairs
       if (lattice.error.max <= kRounding) {
         EXPECT_LE(pixels.error.max, kRounding);
@@ -178,7 +178,7 @@ double worst_on_rim(const Camera& camera, const CameraModel& target, double angl
 }
 
 // Errors are often largest where a lens or a cone ends inside the image, between pixels and between the lattice's points.
-TEST(Judge, TheMaximumIsFoundOnTheEdgeOfTheLens) {
+TEST(Evaluate, TheMaximumIsFoundOnTheEdgeOfTheLens) {
   constexpr double kHair = 2e-7;  // where a lens folds, a pixel tells the angle no better
   int largest_on_rim = 0;
   const Camera cameras[] = {test::euroc(), test::tumvi(), test::kalibr_ds(), test::kalibr_radtan(),
@@ -197,7 +197,7 @@ TEST(Judge, TheMaximumIsFoundOnTheEdgeOfTheLens) {
         if (!conversion || conversion->report.exact) continue;
         const double edge = conversion->report.scored_to_deg * test::kRadians * (1.0 - kHair);
         const double rim = worst_on_rim(camera, conversion->camera.model, edge);
-        const double found = conversion->report.judgement.error.max;
+        const double found = conversion->report.statistics.error.max;
         constexpr double kSteepness = 1e-6;  // of the error along the angle, times the hair; and of the steps
         EXPECT_GE(found, rim * (1.0 - kSteepness) - 1e-9);
         largest_on_rim += rim > 0.999 * found ? 1 : 0;
@@ -208,7 +208,7 @@ TEST(Judge, TheMaximumIsFoundOnTheEdgeOfTheLens) {
 }
 
 // A corner may lie in a band of its own, with none of the lattice's points in it.
-TEST(Judge, ABandHoldsTheMaximum) {
+TEST(Evaluate, ABandHoldsTheMaximum) {
   std::vector<Source> sources = {
       {test::make_camera(Intrinsics<Ds>{{99.342, 99.595, 144.53, 98.41, 0.74955, -0.16405}}, {320, 240}), {}}};
   for (const TablePair& pair : table()) sources.push_back({pair.camera, pair.max_angle_deg});
@@ -220,7 +220,7 @@ TEST(Judge, ABandHoldsTheMaximum) {
       Diagnostics diagnostics;
       const std::optional<Conversion> conversion = convert(source.camera, options, diagnostics);
       ASSERT_TRUE(conversion);
-      const Judgement& j = conversion->report.judgement;
+      const ErrorStatistics& j = conversion->report.statistics;
       double worst = 0.0;
       for (const ErrorBand& band : j.bands) {
         worst = std::max(worst, band.max_px);
@@ -232,7 +232,7 @@ TEST(Judge, ABandHoldsTheMaximum) {
 }
 
 // The image of this lens is next to right but for a corner, which a lattice of 5,000 points hardly sees.
-TEST(Judge, ErrorsOfACornerAreSummedOverItsPixels) {
+TEST(Evaluate, ErrorsOfACornerAreSummedOverItsPixels) {
   const Camera camera = test::make_camera(Intrinsics<Kb4>{{300.0, 300.0, -400.0, 900.0, 0.01, 0.0, 0.0, 0.0}}, {640, 480});
   ConvertOptions options;
   options.model = "ds";
@@ -242,14 +242,14 @@ TEST(Judge, ErrorsOfACornerAreSummedOverItsPixels) {
   options.every_pixel = true;
   const std::optional<Conversion> pixels = convert(camera, options, diagnostics);
   ASSERT_TRUE(lattice && pixels);
-  const double rms = pixels->report.judgement.error.rms;
-  EXPECT_GT(pixels->report.judgement.error.max, 50.0 * rms);
-  EXPECT_NEAR(lattice->report.judgement.error.rms, rms, 0.01 * rms);
-  EXPECT_EQ(lattice->report.judgement.coverage.scored_pixels, 0);
+  const double rms = pixels->report.statistics.error.rms;
+  EXPECT_GT(pixels->report.statistics.error.max, 50.0 * rms);
+  EXPECT_NEAR(lattice->report.statistics.error.rms, rms, 0.01 * rms);
+  EXPECT_EQ(lattice->report.statistics.coverage.scored_pixels, 0);
 }
 
 // CLI.md promises them, whatever the lens, and however small a part of it is scored.
-TEST(Judge, TheLatticeHasFourThousandScoredPoints) {
+TEST(Evaluate, TheLatticeHasFourThousandScoredPoints) {
   constexpr double kReachesRad[] = {1e-3, 0.05, 0.3, 1.0, std::numbers::pi};
   for (const TablePair& pair : table()) {
     std::optional<double> limit;
@@ -266,7 +266,7 @@ TEST(Judge, TheLatticeHasFourThousandScoredPoints) {
   }
 }
 
-TEST(Judge, CountsEveryPixel) {
+TEST(Evaluate, CountsEveryPixel) {
   const Camera camera = test::tumvi();
   ConvertOptions options;
   options.model = "radtan";  // reaches only a part of the lens
@@ -276,7 +276,7 @@ TEST(Judge, CountsEveryPixel) {
   const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
   const std::optional<Domain> domain = domain_of(camera, options.max_angle_rad, diagnostics);
   ASSERT_TRUE(conversion && domain);
-  const Coverage& coverage = conversion->report.judgement.coverage;
+  const Coverage& coverage = conversion->report.statistics.coverage;
   long long outside = 0;
   for (int y = 0; y < domain->size.height; ++y) {
     for (int x = 0; x < domain->size.width; ++x)
@@ -303,12 +303,12 @@ TEST(Judge, CountsEveryPixel) {
   // The report counts no pixel beyond the cone of the fit; this model goes on a little further.
   if (static_cast<long long>(errors.size()) == coverage.scored_pixels) {
     const double p95 = errors[static_cast<std::size_t>(0.95 * static_cast<double>(errors.size()))];
-    EXPECT_NEAR(conversion->report.judgement.error.p95, p95, 2e-3 * p95);
+    EXPECT_NEAR(conversion->report.statistics.error.p95, p95, 2e-3 * p95);
   }
 }
 
 // The worst place of a round domain lies on its edge, between pixels.
-TEST(Judge, EveryPixelFindsNoSmallerMaximumThanTheLattice) {
+TEST(Evaluate, EveryPixelFindsNoSmallerMaximumThanTheLattice) {
   for (const Camera& camera : {test::lens_220(), test::tumvi()}) {
     for (const char* target : {"rational", "eucm", "ds"}) {
       const auto largest = [&](bool every_pixel) {
@@ -319,7 +319,7 @@ TEST(Judge, EveryPixelFindsNoSmallerMaximumThanTheLattice) {
         Diagnostics diagnostics;
         const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
         EXPECT_TRUE(conversion) << target;
-        return conversion ? conversion->report.judgement.error.max : 0.0;
+        return conversion ? conversion->report.statistics.error.max : 0.0;
       };
       const double on_lattice = largest(false);
       EXPECT_GE(largest(true), on_lattice * (1.0 - 1e-9)) << target;
@@ -328,7 +328,7 @@ TEST(Judge, EveryPixelFindsNoSmallerMaximumThanTheLattice) {
 }
 
 // A cone between the points of the lattice in which the domain is first looked for.
-TEST(Judge, AFewDegreesAreADomain) {
+TEST(Evaluate, AFewDegreesAreADomain) {
   Camera camera = test::tumvi();
   ASSERT_TRUE(set_parameter(camera.model, "cx", 250.2));
   ASSERT_TRUE(set_parameter(camera.model, "cy", 250.2));
@@ -339,7 +339,7 @@ TEST(Judge, AFewDegreesAreADomain) {
   EXPECT_EQ(domain->max_angle_rad, kAngle);
 }
 
-TEST(Judge, SharesAddUpToOne) {
+TEST(Evaluate, SharesAddUpToOne) {
   for (const TablePair& pair : table()) {
     for (const char* target : {"pinhole", "radtan", "rational", "ucm", "kb4", "ocamcalib", "fov", "woodscape"}) {
       for (const bool every_pixel : {false, true}) {
@@ -353,14 +353,14 @@ TEST(Judge, SharesAddUpToOne) {
         Diagnostics diagnostics;
         const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
         if (!conversion) continue;
-        const Coverage& c = conversion->report.judgement.coverage;
+        const Coverage& c = conversion->report.statistics.coverage;
         EXPECT_NEAR(c.scored + c.outside_lens + c.unrepresentable, 1.0, 1e-12) << target;
       }
     }
   }
 }
 
-TEST(Judge, AConstantShiftIsMeasuredExactly) {
+TEST(Evaluate, AConstantShiftIsMeasuredExactly) {
   const Camera camera = test::kalibr_eucm();
   Diagnostics diagnostics;
   const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
@@ -370,11 +370,11 @@ TEST(Judge, AConstantShiftIsMeasuredExactly) {
     if (!pixel) return std::nullopt;
     return Pixel{(*pixel)[0] + 3.0, (*pixel)[1] - 4.0};
   };
-  const Judgement j = judge(camera.model, shifted, *domain);
+  const ErrorStatistics j = evaluate(camera.model, shifted, *domain);
   for (const double value : {j.error.rms, j.error.mean, j.error.p50, j.error.p99, j.error.max}) EXPECT_NEAR(value, 5.0, 1e-9);
 }
 
-TEST(Judge, FindsASpikeAtTheEdgeOfTheLens) {
+TEST(Evaluate, FindsASpikeAtTheEdgeOfTheLens) {
   // Error only in the last tenth of a degree, and only at one azimuth: no lattice point is there.
   const Camera camera = test::tumvi();
   Diagnostics diagnostics;
@@ -388,7 +388,7 @@ TEST(Judge, FindsASpikeAtTheEdgeOfTheLens) {
     if (pixel && over > 0.0 && std::abs(azimuth - 1.0) < 0.1) (*pixel)[0] += 1000.0 * over * (0.1 - std::abs(azimuth - 1.0));
     return pixel;
   };
-  const Judgement j = judge(camera.model, target, *domain);
+  const ErrorStatistics j = evaluate(camera.model, target, *domain);
   EXPECT_NEAR(j.error.max, 1000.0 * 0.1 * test::kRadians * 0.1, 0.005);
 }
 

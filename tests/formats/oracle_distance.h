@@ -51,8 +51,8 @@ using ProjectRay = std::function<std::optional<Pixel>(const Ray&)>;
 
 /// `theirs`: the pixels that are to be the table's, in the file's. The mean is the image's: the rays of a table lie in rings
 /// about the axis, as many in each, so that one stands for a part of the image that grows with its radius.
-inline OracleDistance judge(const Camera& camera, const OracleTable& table, const std::array<double, 2>& scale, bool is_wide,
-                            const ProjectRay& theirs) {
+inline OracleDistance evaluate(const Camera& camera, const OracleTable& table, const std::array<double, 2>& scale, bool is_wide,
+                               const ProjectRay& theirs) {
   OracleDistance result;
   double squares = 0.0;
   double area = 0.0;
