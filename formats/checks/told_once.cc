@@ -52,7 +52,7 @@ constexpr std::array kTwice = {
     Twice{Code::kCameraTxtFifthNumber, Code::kDsoFifthNumberIgnored},
 };
 
-/// What says it: the finding, a clause in it, or the mend after which it is named.
+/// What says it: the finding, a clause in it, or the fix after which it is named.
 const Message* find_said(const Finding& finding, Code code) {
   return find_clause(finding.kind == Code{} ? finding.facts : finding.remedy,
                      [code](const Message& each) { return each.code == code; });
@@ -77,7 +77,7 @@ void take_from(const Finding& other, Finding& finding) {
   if (fix_of(finding).empty() && !fix_of(other).empty()) {
     finding.remedy = other.remedy.is_said() ? other.remedy : other.facts;
   }
-  if (!finding.mend) finding.mend = other.mend;
+  if (!finding.edit) finding.edit = other.edit;
 }
 
 }  // namespace

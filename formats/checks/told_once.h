@@ -7,7 +7,7 @@
 namespace fca::checks {
 
 /// Of two findings about the same defect the one with the better words stays, as severe as the worse of the two, at the place
-/// and with the mend that one of them has.
+/// and with the fix that one of them has.
 void tell_once(CheckReport& report);
 
 }  // namespace fca::checks

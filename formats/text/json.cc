@@ -174,7 +174,7 @@ Message describe_value(std::string_view bytes, std::size_t offset) {
   return {Code::kJsonNoValue, {word.substr(0, kLongest)}};
 }
 
-/// RapidJSON's error for the owner of the file, at the place where the mending is to be done.
+/// RapidJSON's error for the owner of the file, at the place that needs the fix.
 Refusal describe(rapidjson::ParseErrorCode code, std::size_t offset, const TreeBuilder& builder, const Source& source) {
   const std::string_view bytes = source.bytes;
   const auto refusal = [](Code what, std::size_t at) { return Refusal{{what}, at}; };

@@ -69,7 +69,7 @@ TEST(CheckCodes, AreThoseThatTheFilesShow) {
   }
 }
 
-// What is wrong, what happens, how to mend it: a finding is no use without all three.
+// What is wrong, what happens, how to fix it: a finding is no use without all three.
 TEST(CheckFindings, SayWhatHappensAndWhatToDo) {
   std::vector<fs::path> files = check_files();
   const std::vector<fs::path> bad = files_of_all_formats("bad");

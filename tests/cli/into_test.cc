@@ -478,7 +478,7 @@ TEST(Into, ACameraBesideOneThatStaysTakesItsModel) {
 }
 
 // A base that its own program would refuse for the spelling of a number is of no use with other cameras in it, either.
-TEST(Into, WhatTheProgramRefusesOfTheKeptTextIsMendedAndSaid) {
+TEST(Into, WhatTheProgramRefusesOfTheKeptTextIsFixedAndReported) {
   const TemporaryFolder folder;
   std::string settings = read_file(kSettings);
   settings = with_replaced(settings, "Camera.fps: 20", "Camera.fps: 20.0");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is written is proven, mended, refused, or said to be unproven: never written in silence.
+// What is written is proven, fixed, refused, or said to be unproven: never written in silence.
 #include "cli/run_program.h"
 #include "cli/told.h"
 

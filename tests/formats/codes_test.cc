@@ -102,7 +102,7 @@ TEST(Messages, DiagnosticsTakeSeverityAndWordsFromTheTable) {
   EXPECT_EQ(diagnostics.entries()[1].severity, Severity::kError);
   EXPECT_EQ(id_of(diagnostics.entries()[0]), "lens-circle-stretched");
   EXPECT_EQ(message_of(diagnostics.entries()[1]), text::text_of({Code::kLensCircleStretched, {"cam1"}}));
-  // What mends it, where its maker knows better: that row's fix, else its sentence.
+  // What fixes it, where its maker knows better: that row's fix, else its sentence.
   EXPECT_EQ(fix_of(diagnostics.entries()[2]), text::text_of({Code::kTimeOffsetOfMilliseconds}));
 }
 

@@ -201,7 +201,7 @@ RC_GTEST_PROP(OCamCalibEdit, AnyOtherCameraReadsBack, ()) {
   RC_ASSERT(prove(world2cam(), bytes_of(written), {}, rig).agrees());
 }
 
-// The two defects that the writer mends, told by the reader (testdata/formats/ocamcalib/bad).
+// The two defects that the writer fixes, told by the reader (testdata/formats/ocamcalib/bad).
 TEST(OCamCalibEdit, AMissingOrStaleInverseIsRebuilt) {
   const std::string good = read_file(testdata_dir() / "ocamcalib/good/toolbox.txt");
   for (const char* file : {"stale-inverse.txt", "no-inverse.txt", "inverse-empty.txt"}) {

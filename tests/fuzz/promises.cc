@@ -163,8 +163,8 @@ void expect_checked(const Format* format, const text::Source& source, Checker& c
     checker.expect(finding.where.offset + finding.where.length <= source.bytes.size(),
                    "the finding " + id_of(finding) + " lies outside the file");
   }
-  const std::optional<text::Source> mend = mended(source, options);
-  checker.expect(!mend || mend->bytes != source.bytes, "a mend that changes nothing");
+  const std::optional<text::Source> fixed = fixed_source(source, options);
+  checker.expect(!fixed || fixed->bytes != source.bytes, "a fix that changes nothing");
 }
 
 /// A conversion needs the size of the image; as --size says it of files that do not.

@@ -18,7 +18,7 @@ using Complaints = std::vector<std::string>;
 enum class Depth {
   kRead,       ///< Written back.
   kRoundTrip,  ///< Also anew, and for one other program.
-  kChecked,    ///< Also checked and mended, which asks the programs.
+  kChecked,    ///< Also checked and fixed, which asks the programs.
 };
 
 /// The syntax's parser: it refuses with a reason, or every place of its tree lies inside the bytes, parents around children.

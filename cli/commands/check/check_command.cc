@@ -17,7 +17,7 @@ namespace fca::cli {
 
 namespace {
 
-/// Makes the certain mends: shows them, writes them if asked to, and goes on with the mended text.
+/// Makes the certain fixes: shows them, writes them if asked to, and goes on with the fixed text.
 ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& console) {
   const std::optional<text::Source> better = with_fixes(arguments.request, source);
   if (!better) return ExitCode::kGood;

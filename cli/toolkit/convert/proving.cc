@@ -4,7 +4,7 @@
 #include "parallel_for.h"
 
 #include <fca/code.h>
-#include <fca/formats/mend.h>
+#include <fca/formats/fix.h>
 #include <fca/formats/read_back.h>
 #include <fca/formats/wording.h>
 #include <fca/toolkit/save.h>
@@ -118,7 +118,7 @@ Message newly_refused(const Written& written, const Rig& rig, const text::Docume
 }
 
 bool fix_kept_text(const Format& format, const Rig& rig, Written& written, LoadedViews& views, Diagnostics& diagnostics) {
-  constexpr int kMostMends = 100;  // each takes several runs of the program's reader
+  constexpr int kMostFixes = 100;  // each takes several runs of the program's reader
   const consumers::LoadOptions options = load_options(written, rig);
   bool all_load = true;
   for (Written::File& file : written.files) {
@@ -126,27 +126,27 @@ bool fix_kept_text(const Format& format, const Rig& rig, Written& written, Loade
       const consumers::Consumer* program = consumers::find_consumer(id);
       if (program == nullptr) continue;
       text::Document document = file.document;
-      Diagnostics mends;
+      Diagnostics fixes;
       std::optional<consumers::Complaint> refusal;
       consumers::ConsumerView tried;
       const AskProgram ask = [&](const std::string& bytes) { return tried = program->load(bytes, options); };
-      for (int i = 0; i < kMostMends; ++i) {
+      for (int i = 0; i < kMostFixes; ++i) {
         const consumers::ConsumerView& view = views.of(*program, document.bytes(), options);
         refusal = view.loads() ? std::nullopt : std::optional(view.refusals.front());
         all_load = all_load && !refusal;
-        const std::optional<Mend> mend = refusal ? find_mend(document, view, *refusal, ask) : std::nullopt;
-        if (!mend) break;
+        const std::optional<Fix> fix = refusal ? find_fix(document, view, *refusal, ask) : std::nullopt;
+        if (!fix) break;
         std::vector<Message> how;
-        if (!names_mend(refusal->facts, *mend)) how.push_back({Code::kFixedHow, {mend->fix}});
-        mends.add(Code::kFixed, {refusal->facts, how}, document.source().range(mend->span));
-        document.replace(mend->span, mend->text);
+        if (!names_fix(refusal->facts, *fix)) how.push_back({Code::kFixedHow, {fix->remedy}});
+        fixes.add(Code::kFixed, {refusal->facts, how}, document.source().range(fix->span));
+        document.replace(fix->span, fix->text);
         views.add(*program, document.bytes(), options, std::exchange(tried, {}));
       }
       if (refusal) continue;
-      if (mends.entries().empty()) continue;
+      if (fixes.entries().empty()) continue;
       file.document = std::move(document);
       file.says = read_back(format, file, rig, written);
-      for (const Diagnostic& each : mends.entries()) diagnostics.add(each);
+      for (const Diagnostic& each : fixes.entries()) diagnostics.add(each);
     }
   }
   return all_load;

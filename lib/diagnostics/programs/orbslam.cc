@@ -18,7 +18,7 @@ std::span<const CodeInfo> orbslam_program_codes() {
       named_refusal(Code::kOrbslamKeyMissing, "{0} is missing; {1} exits", kAddTheKey),
       named_refusal(Code::kOrbslamNotReal, "{0} is {1}; {2} wants a number with a '.' and exits{3}"),
       named_refusal(Code::kOrbslamNotInt, "{0} is {1}; {2} wants an int and exits{3}"),
-      mend(Code::kOrbslamWriteInt, "real-for-int", ": write {0}"),
+      remedy(Code::kOrbslamWriteInt, "real-for-int", ": write {0}"),
       named_refusal(Code::kOrbslamNotText, "{0} is {1}; {2} wants a string in quotes and exits"),
       named_misreading(Code::kOrbslamTakesLargest, "{0} is {1}, not a number; {2} takes OpenCV's largest number for it"),
       named_refusal(Code::kOrbslamNoMatrix, "{0} is {1}; {2} wants an !!opencv-matrix (rows, cols, dt, data)"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "layout_mend.h"
+#include "layout_fix.h"
 
 #include <fca/code.h>
 
@@ -109,7 +109,7 @@ Message stops_at_error(const std::vector<Message>& steps) {
 
 }  // namespace
 
-std::optional<Mend> header_mend(const text::Document& document) {
+std::optional<Fix> header_fix(const text::Document& document) {
   const text::Source& source = document.source();
   const Top top = top_of(source);
   if (!top.header || !source.text(*top.header).starts_with("%YAML:")) return std::nullopt;
@@ -126,10 +126,10 @@ std::optional<Mend> header_mend(const text::Document& document) {
   std::vector<Message> besides;
   if (line.offset > top.start) besides.push_back({Code::kHeaderInFirstLine});
   if (!unspaced.empty()) besides.push_back({Code::kBlanksAfterColons});
-  return Mend{{Code::kHeaderOfYaml, {named(header), besides}}, {0, at}, text};
+  return Fix{{Code::kHeaderOfYaml, {named(header), besides}}, {0, at}, text};
 }
 
-std::optional<Mend> layout_mend(const text::Document& document) {
+std::optional<Fix> layout_fix(const text::Document& document) {
   if (document.syntax() != text::Syntax::kYaml && document.syntax() != text::Syntax::kOpenCvYaml) return std::nullopt;
   const text::Source& source = document.source();
   const Top top = top_of(source);
@@ -165,7 +165,7 @@ std::optional<Mend> layout_mend(const text::Document& document) {
     }
   }
   if (!shallow.empty()) steps.push_back({Code::kLayoutIndented});
-  return Mend{stops_at_error(steps), {begin, at - begin}, text};
+  return Fix{stops_at_error(steps), {begin, at - begin}, text};
 }
 
 }  // namespace fca::checks

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tab_mend.h"
+#include "tab_fix.h"
 
 #include <fca/code.h>
 
@@ -20,26 +20,26 @@ struct Level {
   bool item = false;  ///< Begins with a dash.
 };
 
-class TabMender {
+class TabFixer {
  public:
-  explicit TabMender(const text::Source& source) : source_(source) {}
+  explicit TabFixer(const text::Source& source) : source_(source) {}
 
-  std::optional<Mend> run() {
+  std::optional<Fix> run() {
     for (std::size_t at = 0; at < source_.bytes.size();) {
       const std::size_t end = std::min(source_.bytes.find('\n', at), source_.bytes.size() - 1) + 1;
       if (!take_line(std::string_view(source_.bytes).substr(at, end - at))) return std::nullopt;
       at = end;
     }
-    if (mended_ == source_.bytes) return std::nullopt;
+    if (fixed_ == source_.bytes) return std::nullopt;
     // From the first byte that differs to the last.
-    const auto [before, after] = std::ranges::mismatch(source_.bytes, mended_);
+    const auto [before, after] = std::ranges::mismatch(source_.bytes, fixed_);
     const auto begin = static_cast<std::size_t>(before - source_.bytes.begin());
     std::size_t same = 0;
-    const std::size_t most = std::min(source_.bytes.size(), mended_.size()) - begin;
-    while (same < most && source_.bytes[source_.bytes.size() - 1 - same] == mended_[mended_.size() - 1 - same]) ++same;
-    return Mend{{Code::kTabsToBlanks},
-                {begin, source_.bytes.size() - same - begin},
-                mended_.substr(begin, mended_.size() - same - begin)};
+    const std::size_t most = std::min(source_.bytes.size(), fixed_.size()) - begin;
+    while (same < most && source_.bytes[source_.bytes.size() - 1 - same] == fixed_[fixed_.size() - 1 - same]) ++same;
+    return Fix{{Code::kTabsToBlanks},
+               {begin, source_.bytes.size() - same - begin},
+               fixed_.substr(begin, fixed_.size() - same - begin)};
   }
 
  private:
@@ -49,10 +49,10 @@ class TabMender {
     const std::string_view indentation = line.substr(0, first);
     const std::string_view rest = line.substr(first);
     if (quote_ != '\0') {
-      mended_ += indentation;
+      fixed_ += indentation;
     } else if (brackets_ > 0 || rest.empty() || rest.front() == '#' || rest.front() == '\n' || rest.front() == '\r') {
       // Any depth will do, if it is deeper than the list's key.
-      mended_ += indentation.find('\t') == std::string_view::npos ? std::string(indentation) : expanded(indentation);
+      fixed_ += indentation.find('\t') == std::string_view::npos ? std::string(indentation) : expanded(indentation);
     } else if (!take_indentation(indentation, rest)) {
       return false;
     }
@@ -75,7 +75,7 @@ class TabMender {
     if (std::ranges::none_of(levels_, [&](const Level& level) { return level.depth == *depth && level.item == item; }))
       levels_.push_back({*depth, item});
     known_[std::string(indentation)] = *depth;
-    mended_.append(*depth, ' ');
+    fixed_.append(*depth, ' ');
     depth_ = *depth;
     return true;
   }
@@ -100,11 +100,11 @@ class TabMender {
     for (std::size_t i = 0; i < rest.size(); ++i) {
       const char c = rest[i];
       if (quote_ == '\0' && c == '#' && (i == 0 || kBlanks.find(rest[i - 1]) != std::string_view::npos)) {
-        mended_ += rest.substr(i);
+        fixed_ += rest.substr(i);
         break;
       }
       if (quote_ == '\0' && c == '\t' && !between_words(rest, i, last)) return false;
-      mended_ += quote_ == '\0' && c == '\t' ? ' ' : c;
+      fixed_ += quote_ == '\0' && c == '\t' ? ' ' : c;
       follow(c, last);
       if (c == ' ' || c == '\t' || c == '\r' || c == '\n') continue;
       if (i > 0 && kBlanks.find(rest[i - 1]) != std::string_view::npos) word = i;
@@ -136,7 +136,7 @@ class TabMender {
   }
 
   const text::Source& source_;
-  std::string mended_;
+  std::string fixed_;
   std::vector<Level> levels_;
   std::map<std::string, std::size_t> known_;  ///< What an indentation was before.
   std::size_t depth_ = 0;
@@ -147,6 +147,6 @@ class TabMender {
 
 }  // namespace
 
-std::optional<Mend> tab_mend(const text::Source& source) { return TabMender(source).run(); }
+std::optional<Fix> tab_fix(const text::Source& source) { return TabFixer(source).run(); }
 
 }  // namespace fca::checks

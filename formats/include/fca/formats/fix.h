@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Why a program stumbles over a place, found by trying: a spelling that takes its refusal away is the mend.
+// Why a program stumbles over a place, found by trying: a spelling that takes its refusal away is the fix.
 #pragma once
 
 #include <fca/formats/consumers/consumer.h>
@@ -13,10 +13,10 @@
 namespace fca {
 
 /// A replacement of bytes after which the program no longer says that sentence. It changes a spelling, never a value.
-struct Mend {
+struct Fix {
   /// What to do. Its id is what was wrong: "int-for-real", "real-for-int", "number-as-text", "unquoted-text", "opencv-header",
   /// "yaml-layout", "yaml-tab", "byte-order-mark".
-  Message fix;
+  Message remedy;
   text::Span span;  ///< Of the document's source.
   std::string text;
 };
@@ -25,12 +25,12 @@ struct Mend {
 using AskProgram = std::function<consumers::ConsumerView(const std::string& bytes)>;
 
 /// What takes a complaint of the program, one of those that it has about the document (`view`), away; nothing where no single
-/// other spelling does. The document may have edits: the view is of its bytes with them, and they are never part of a mend. The
-/// last bytes that the program is asked about are those with the mend in them.
-[[nodiscard]] std::optional<Mend> find_mend(const text::Document& document, const consumers::ConsumerView& view,
-                                            const consumers::Complaint& complaint, const AskProgram& ask);
+/// other spelling does. The document may have edits: the view is of its bytes with them, and they are never part of a fix. The
+/// last bytes that the program is asked about are those with the fix in them.
+[[nodiscard]] std::optional<Fix> find_fix(const text::Document& document, const consumers::ConsumerView& view,
+                                          const consumers::Complaint& complaint, const AskProgram& ask);
 
-/// Does the complaint say itself how it is mended?
-[[nodiscard]] bool names_mend(const Message& complaint, const Mend& mend);
+/// Does the complaint say itself how it is fixed?
+[[nodiscard]] bool names_fix(const Message& complaint, const Fix& fix);
 
 }  // namespace fca
