@@ -129,12 +129,12 @@ class BarrierFit {
       const Eigen::Matrix<double, 8, 1> product = cone_.moments()[static_cast<std::size_t>(axis)] * a;
       sum += a.dot(product);
       if (gradient == nullptr) continue;
-      Eigen::Matrix<double, 8, 9> slopes = Eigen::Matrix<double, 8, 9>::Zero();
-      slopes.col(axis) << 1.0, p[4], p[5], p[6], p[7], p[8], 0.0, 0.0;
-      for (const int i : {4, 5, 6, 7, 8}) slopes(i - 3, i) = f;
-      slopes(6, 2 + axis) = 1.0;
-      *gradient += slopes.transpose() * product;
-      *matrix += slopes.transpose() * cone_.moments()[static_cast<std::size_t>(axis)] * slopes;
+      Eigen::Matrix<double, 8, 9> derivatives = Eigen::Matrix<double, 8, 9>::Zero();
+      derivatives.col(axis) << 1.0, p[4], p[5], p[6], p[7], p[8], 0.0, 0.0;
+      for (const int i : {4, 5, 6, 7, 8}) derivatives(i - 3, i) = f;
+      derivatives(6, 2 + axis) = 1.0;
+      *gradient += derivatives.transpose() * product;
+      *matrix += derivatives.transpose() * cone_.moments()[static_cast<std::size_t>(axis)] * derivatives;
     }
     return sum;
   }
@@ -153,14 +153,14 @@ class BarrierFit {
         if (!(value > 0.0)) return HUGE_VAL;
         sum -= std::log(value);
         if (gradient == nullptr) continue;
-        Vector slope = Vector::Zero();
-        slope[4] = c[0] * s;
-        slope[5] = c[1] * s * s;
-        slope[8] = c[2] * s * s * s;
+        Vector derivative = Vector::Zero();
+        derivative[4] = c[0] * s;
+        derivative[5] = c[1] * s * s;
+        derivative[8] = c[2] * s * s * s;
         const Eigen::Vector2d direction = p.segment<2>(6) / length;
-        slope.segment<2>(6) = -c[3] * r * direction;
-        *gradient -= 0.5 * weight / value * slope;
-        *matrix += 0.5 * weight / (value * value) * slope * slope.transpose();
+        derivative.segment<2>(6) = -c[3] * r * direction;
+        *gradient -= 0.5 * weight / value * derivative;
+        *matrix += 0.5 * weight / (value * value) * derivative * derivative.transpose();
         matrix->block<2, 2>(6, 6) +=
             0.5 * weight / value * c[3] * r / length * (Eigen::Matrix2d::Identity() - direction * direction.transpose());
       }

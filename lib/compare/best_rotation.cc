@@ -88,18 +88,18 @@ StepOf<kUnknowns> step_from(const CameraModel& other, const std::vector<Pair>& p
   for (const Pair& pair : pairs) {
     const std::optional<Eigen::Vector2d> error = error_of(other, pair, move);
     if (!error) continue;
-    Eigen::Matrix<double, 2, kUnknowns> slopes;
+    Eigen::Matrix<double, 2, kUnknowns> derivatives;
     bool all = true;
     for (int unknown = 0; unknown < kUnknowns; ++unknown) {
       const StepOf<kUnknowns> along = kStep * StepOf<kUnknowns>::Unit(unknown);
       const std::optional<Eigen::Vector2d> after = error_of(other, pair, moved<kUnknowns>(move, along));
       const std::optional<Eigen::Vector2d> before = error_of(other, pair, moved<kUnknowns>(move, -along));
       all = all && after && before;
-      if (all) slopes.col(unknown) = (*after - *before) / (2.0 * kStep);
+      if (all) derivatives.col(unknown) = (*after - *before) / (2.0 * kStep);
     }
     if (!all) continue;
-    normal += pair.weight * slopes.transpose() * slopes;
-    right -= pair.weight * slopes.transpose() * *error;
+    normal += pair.weight * derivatives.transpose() * derivatives;
+    right -= pair.weight * derivatives.transpose() * *error;
   }
   return normal.ldlt().solve(right);
 }

@@ -128,7 +128,7 @@ TEST(OCamCalibWrite, TheInverseIsFittedToAMillionthOfAPixel) {
 }
 
 // An image that reaches beyond the angle at which the direct polynomial folds: there is no inverse out there, and the curve
-// ends with an infinite slope. The best polynomial is written, and how good it is said.
+// ends with an infinite derivative. The best polynomial is written, and how good it is said.
 TEST(OCamCalibWrite, ALensThatFoldsInsideTheImageIsSaid) {
   const Camera camera = camera_with({320, 240, 1, 0, 0, -200, 0, -1.25e-3, 0, 0, 0, 0, 0, 0}, {640, 480});
   Diagnostics diagnostics;

@@ -78,7 +78,7 @@ class Lattice {
   }
 
   /// A sum over the pixels of a line is the integral from the first to the last one and, at each end, f(end) / 2 +
-  /// (f(end) - f(next to the end)) / 12 (Euler and Maclaurin, with a difference for the slope).
+  /// (f(end) - f(next to the end)) / 12 (Euler and Maclaurin, with a difference for the derivative).
   static constexpr double kOutermost = 1.0 / 2.0 + 1.0 / 12.0;
   static constexpr double kNextToOutermost = -1.0 / 12.0;
 

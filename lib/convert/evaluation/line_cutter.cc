@@ -152,17 +152,17 @@ std::optional<double> LineCutter::crossing_of_edge(const Line& line, const Step&
   constexpr double kVeryFine = 1e-5;
   const double whole = step.end - step.begin;
   double at = step.crossing(edge);
-  double slope = (step.to - step.from + ((at - step.begin) / whole - 0.5) * step.bend) / whole;
+  double derivative = (step.to - step.from + ((at - step.begin) / whole - 0.5) * step.bend) / whole;
   double before = at;
   double seen = kNone;
   constexpr int kMostRounds = 8;
   for (int round = 0; round < kMostRounds; ++round) {
     const double found = ask(line.at(at));
     if (!(std::abs(found - edge) < kClose)) return std::nullopt;
-    if (seen != kNone && found != seen) slope = (found - seen) / (at - before);
+    if (seen != kNone && found != seen) derivative = (found - seen) / (at - before);
     before = at;
     seen = found;
-    at += (edge - found) / slope;
+    at += (edge - found) / derivative;
     if (!(at > step.begin && at <= step.end)) return std::nullopt;
     if (std::abs(at - before) < (round == 0 ? kVeryFine : kFine)) return at;
   }

@@ -3,8 +3,8 @@
 
 #include "fit_limits.h"
 #include "fitter.h"
-#include "linearised.h"
 #include "quadratic_program.h"
+#include "sample_jacobian.h"
 
 #include <algorithm>
 #include <array>
@@ -47,7 +47,7 @@ class Descent {
         count_(task.target.parameters().size()),
         limits_(task.target, task.ranges),
         reach_(reach_of(task.samples)),
-        linearised_(task.target),
+        jacobian_(task.target),
         at_(start) {
     std::array<bool, kMostParameters> fixed{};
     for (std::size_t i = 0; i < count_; ++i) {
@@ -55,7 +55,7 @@ class Descent {
       fixed[i] = limits_.fixed(i);
       if (!fixed[i]) free_.push_back(i);
     }
-    linearised_.reset({task.samples.begin(), task.samples.end()}, fixed);
+    jacobian_.reset({task.samples.begin(), task.samples.end()}, fixed);
   }
 
   [[nodiscard]] bool starts_well() const { return std::isfinite(reach_) && !free_.empty() && grows(at_, kAlmostMargin); }
@@ -99,9 +99,9 @@ class Descent {
     bool turns = false;
     for (const GrowthCondition condition : task_.conditions) {
       for (const double r : minima_below(kAlmostMargin, condition, values.data(), reach_)) {
-        ParameterValues slopes{};
-        const double value = condition(values.data(), r, slopes.data());
-        Plane plane{free_of(slopes.data()), 0.0};
+        ParameterValues derivatives{};
+        const double value = condition(values.data(), r, derivatives.data());
+        Plane plane{free_of(derivatives.data()), 0.0};
         plane.offset = kMargin - value + plane.normal.dot(free_of(values.data()));
         if (plane.normal.isZero(0.0) || planes_.size() >= kMostPlanes) continue;
         planes_.push_back(std::move(plane));
@@ -152,7 +152,7 @@ class Descent {
     VectorXd gradient(n);
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> hessian(n, n);
     NormalEquations sums{0.0, {gradient.data(), free_.size()}, {hessian.data(), free_.size() * free_.size()}};
-    if (!linearised_.evaluate(at_, sums)) return false;
+    if (!jacobian_.evaluate(at_, sums)) return false;
     hessian.triangularView<Eigen::StrictlyLower>() = hessian.transpose();
     const std::optional<VectorXd> step = step_among_growing(hessian, gradient);
     if (!step) return false;
@@ -162,7 +162,7 @@ class Descent {
     for (int halving = 0; halving < kMostHalvings; ++halving, share *= 0.5) {
       const ParameterValues next = values_at(free_of(at_.data()) + share * *step);
       NormalEquations cost;
-      if (!grows(next, kAlmostMargin) || !linearised_.evaluate(next, cost) || !(cost.cost < sums.cost)) continue;
+      if (!grows(next, kAlmostMargin) || !jacobian_.evaluate(next, cost) || !(cost.cost < sums.cost)) continue;
       at_ = next;
       return sums.cost - cost.cost > kNothing * sums.cost;
     }
@@ -173,7 +173,7 @@ class Descent {
   std::size_t count_;  ///< Number of parameters.
   FitLimits limits_;
   double reach_;  ///< The tan of the angle up to which the radius must grow.
-  Linearised linearised_;
+  SampleJacobian jacobian_;
   ParameterValues at_;
   std::vector<std::size_t> free_;  ///< Indices of the parameters that may change.
   std::vector<Plane> planes_;      ///< Every camera whose radius grows satisfies all of them.

@@ -6,7 +6,7 @@
 #include "../evaluation/maximum.h"
 #include "fit_limits.h"
 #include "fit_model.h"
-#include "linearised.h"
+#include "sample_jacobian.h"
 #include "smooth_maximum.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 class ModelErrors final : public PointErrors {
  public:
   ModelErrors(const FitTarget& target, std::span<const Correspondence> points, const std::array<bool, kMostParameters>& fixed)
-      : target_(target), points_(points), fixed_(fixed), linearised_(target), pixels_(points.size()) {
+      : target_(target), points_(points), fixed_(fixed), jacobian_(target), pixels_(points.size()) {
     for (const Correspondence& point : points_) lowest_ = std::min(lowest_, point.ray[2]);
   }
 
@@ -45,18 +45,18 @@ class ModelErrors final : public PointErrors {
     return true;
   }
 
-  bool linearise(std::span<const double> values, std::span<const WeightedPoint> points, LinearErrors& result) override {
+  bool compute_jacobian(std::span<const double> values, std::span<const WeightedPoint> points, LinearErrors& result) override {
     std::vector<Correspondence> chosen;
     chosen.reserve(points.size());
     for (const WeightedPoint& point : points) {
       chosen.push_back(points_[point.index]);
       chosen.back().weight = point.weight;
     }
-    linearised_.reset(std::move(chosen), fixed_);
+    jacobian_.reset(std::move(chosen), fixed_);
     ParameterValues at{};
     std::ranges::copy(values, at.begin());
-    if (!linearised_.linearise(at)) return false;
-    result = {linearised_.columns(), linearised_.residuals()};
+    if (!jacobian_.compute_jacobian(at)) return false;
+    result = {jacobian_.columns(), jacobian_.residuals()};
     return true;
   }
 
@@ -64,7 +64,7 @@ class ModelErrors final : public PointErrors {
   const FitTarget& target_;
   std::span<const Correspondence> points_;
   std::array<bool, kMostParameters> fixed_;
-  Linearised linearised_;
+  SampleJacobian jacobian_;
   std::vector<Pixel> pixels_;
   double lowest_ = 1.0;  ///< Cosine of the largest angle from the axis.
 };

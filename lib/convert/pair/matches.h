@@ -19,7 +19,7 @@ namespace fca::internal {
 struct Matches {
   std::array<std::vector<Correspondence>, 2> seen;
   /// The change of the row difference between the rectified images per pixel of error of that camera, in u and v.
-  std::array<std::vector<Eigen::RowVector2d>, 2> slopes;
+  std::array<std::vector<Eigen::RowVector2d>, 2> derivatives;
 };
 
 /// A camera of a pair and the domain on which it is compared.

@@ -102,26 +102,26 @@ class Problem {
   }
 
   /// The residuals of one camera's rays, and their derivatives by this camera's unknowns; nullopt if a ray has no pixel.
-  [[nodiscard]] std::optional<PixelJacobian> slopes(std::size_t i, const State& state,
-                                                    std::span<const Correspondence> samples) const {
+  [[nodiscard]] std::optional<PixelJacobian> derivatives(std::size_t i, const State& state,
+                                                         std::span<const Correspondence> samples) const {
     const Unknowns& unknowns = unknowns_.at(i);
     std::optional<PixelJacobian> all =
         internal::jacobian_of(state.model, internal::turned(samples, internal::rotation_by(state.angles)));
     if (!all) return std::nullopt;
     PixelJacobian own{MatrixXd(all->columns.rows(), unknowns.count()), std::move(all->residuals)};
     own.columns.leftCols(static_cast<Index>(unknowns.parameters.size())) = all->columns(Eigen::all, unknowns.parameters);
-    if (!internal::put_slopes_of_angles(state.model, samples, state.angles, own.columns.rightCols(unknowns.angles)))
+    if (!internal::put_derivatives_by_angles(state.model, samples, state.angles, own.columns.rightCols(unknowns.angles)))
       return std::nullopt;
     return own;
   }
 
   /// Converts one camera's pixel residuals, or columns of their Jacobian, to row differences of the matches.
   [[nodiscard]] MatrixXd rows_of(std::size_t i, const Eigen::Ref<const MatrixXd>& numbers) const {
-    const auto count = static_cast<Index>(matches_.slopes.at(i).size());
+    const auto count = static_cast<Index>(matches_.derivatives.at(i).size());
     MatrixXd rows(count, numbers.cols());
     for (Index k = 0; k < count; ++k) {
-      const Eigen::RowVector2d& slope = matches_.slopes.at(i)[static_cast<std::size_t>(k)];
-      rows.row(k) = slope[0] * numbers.row(k) + slope[1] * numbers.row(count + k);
+      const Eigen::RowVector2d& derivative = matches_.derivatives.at(i)[static_cast<std::size_t>(k)];
+      rows.row(k) = derivative[0] * numbers.row(k) + derivative[1] * numbers.row(count + k);
     }
     return rows;
   }
@@ -135,8 +135,8 @@ class Problem {
     MatrixXd rows(static_cast<Index>(matches_.seen[0].size()), count());
     VectorXd differences = VectorXd::Zero(rows.rows());
     for (std::size_t i = 0; i < 2; ++i) {
-      const std::optional<PixelJacobian> own = slopes(i, states.at(i), cameras_.at(i).samples);
-      const std::optional<PixelJacobian> matched = slopes(i, states.at(i), matches_.seen.at(i));
+      const std::optional<PixelJacobian> own = derivatives(i, states.at(i), cameras_.at(i).samples);
+      const std::optional<PixelJacobian> matched = derivatives(i, states.at(i), matches_.seen.at(i));
       if (!own || !matched) return false;
       normal.add(own->columns, own->residuals, unknowns_.at(i).first);
       rows.middleCols(unknowns_.at(i).first, unknowns_.at(i).count()) = kWeightOfRows * rows_of(i, matched->columns);

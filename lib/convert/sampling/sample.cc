@@ -258,8 +258,8 @@ class PolarSampler {
       const double edge = reach(rays_, centre_, phi);
       for (const Node& node : gauss_legendre(radial_)) {
         const double turn = 0.5 * std::numbers::pi * node.position;
-        const double slope = 0.5 * std::numbers::pi * std::cos(turn);
-        const double weight = azimuth.weight * span * edge * edge * node.weight * slope * std::sin(turn);
+        const double derivative = 0.5 * std::numbers::pi * std::cos(turn);
+        const double weight = azimuth.weight * span * edge * edge * node.weight * derivative * std::sin(turn);
         candidates_.push_back({along(centre_, direction(phi), edge * std::sin(turn)), weight});
       }
     }

@@ -28,7 +28,7 @@ struct EvaluateOptions {
   /// Prove ErrorSummary::bound. Both must be models of the list: a proof encloses a model over whole ranges of rays with every
   /// rounding counted, for which the listed ones are written a second time, in ball arithmetic (lib/convert/bound/polar.h). A
   /// function can only be asked at points, and M::formula promises no more than to work on doubles: from either one gets a
-  /// largest error that was seen (polished, like that of listed models), or a slope that was seen, but nothing that holds
+  /// largest error that was seen (polished, like that of listed models), or a derivative that was seen, but nothing that holds
   /// between. The bound is then infinite.
   bool bound = true;
   /// The target counts as unable to represent what lies further from the axis: the cone to which a conversion was restricted.

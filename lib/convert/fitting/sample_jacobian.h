@@ -14,32 +14,32 @@
 
 namespace fca::internal {
 
-class Linearised {
+class SampleJacobian {
  public:
-  explicit Linearised(const FitTarget& target) : target_(target) {}
+  explicit SampleJacobian(const FitTarget& target) : target_(target) {}
 
   /// Takes the samples. The Jacobian gets a column for each parameter that is not fixed.
   void reset(std::vector<Correspondence> samples, const std::array<bool, kMostParameters>& fixed);
 
   [[nodiscard]] std::size_t rows() const { return 2 * samples_.size(); }
-  /// The Jacobian's columns, and the residuals [px], both times the square root of the samples' weights, as linearise() left
-  /// them.
+  /// The Jacobian's columns, and the residuals [px], both times the square root of the samples' weights, as compute_jacobian()
+  /// left them.
   [[nodiscard]] std::span<const Column> columns() const { return columns_; }
   [[nodiscard]] Column residuals() { return {out().column(target_.parameters().size()), 0, rows()}; }
 
   /// Computes the cost at `values`, and gradient and Hessian unless their spans are empty. False if a sample has no pixel.
   bool evaluate(const ParameterValues& values, NormalEquations& sums);
   /// Fills residuals() and columns(). False if a sample has no pixel.
-  bool linearise(const ParameterValues& values);
+  bool compute_jacobian(const ParameterValues& values);
 
  private:
-  LinearisedColumns out() { return {roots_, numbers_.data()}; }
+  JacobianColumns out() { return {roots_, numbers_.data()}; }
   bool compute_residuals(const ParameterValues& values);
 
   const FitTarget& target_;
   std::vector<Correspondence> samples_;
   std::vector<double> roots_;    ///< Square roots of the samples' weights.
-  std::vector<double> numbers_;  ///< See LinearisedColumns.
+  std::vector<double> numbers_;  ///< See JacobianColumns.
   std::vector<std::array<double, 2>> pixels_;
   std::vector<Column> columns_;
   std::optional<ParameterValues> at_;  ///< The parameters for which the columns were computed; nullopt if they are invalid.

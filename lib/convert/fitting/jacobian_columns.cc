@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slope_columns.h"
+#include "jacobian_columns.h"
 
 #include "../../models/kernels/multiversioned.h"
 #include "../../models/kernels/with_kernel.h"
@@ -45,7 +45,7 @@ void copy(const Lane& lane, std::size_t count, double* to) {
 }
 
 template <class M>
-bool columns_of(const double* p, std::span<const Correspondence> samples, const LinearisedColumns& out) {
+bool columns_of(const double* p, std::span<const Correspondence> samples, const JacobianColumns& out) {
   constexpr std::size_t kCount = kParameterCount<M>;
   std::array<double, kCount> parameters;
   std::copy_n(p, kCount, parameters.begin());
@@ -59,7 +59,7 @@ bool columns_of(const double* p, std::span<const Correspondence> samples, const 
       double pixel[2] = {block.u[k], block.v[k]};  // a start for models that iterate
       double du[kCount] = {};
       double dv[kCount] = {};
-      missing += M::formula_and_slopes(parameters.data(), ray, pixel, du, dv) ? 0.0 : 1.0;
+      missing += M::formula_and_derivatives(parameters.data(), ray, pixel, du, dv) ? 0.0 : 1.0;
       for (std::size_t i = 0; i < kCount; ++i) {
         along_u[i][k] = block.root[k] * du[i];
         along_v[i][k] = block.root[k] * dv[i];
@@ -79,11 +79,11 @@ bool columns_of(const double* p, std::span<const Correspondence> samples, const 
 
 }  // namespace
 
-FCA_MULTIVERSIONED bool slope_columns(const ListedModel& model, const double* p, std::span<const Correspondence> samples,
-                                      const LinearisedColumns& out) {
+FCA_MULTIVERSIONED bool jacobian_columns(const ListedModel& model, const double* p, std::span<const Correspondence> samples,
+                                         const JacobianColumns& out) {
   bool valid = false;
   with_kernel(model, [&]<class M>(std::type_identity<M> /*model*/) {
-    if constexpr (HasSlopes<M>) valid = columns_of<M>(p, samples, out);
+    if constexpr (HasDerivatives<M>) valid = columns_of<M>(p, samples, out);
   });
   return valid;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linearised.h"
+#include "sample_jacobian.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace fca::internal {
 
-void Linearised::reset(std::vector<Correspondence> samples, const std::array<bool, kMostParameters>& fixed) {
+void SampleJacobian::reset(std::vector<Correspondence> samples, const std::array<bool, kMostParameters>& fixed) {
   samples_ = std::move(samples);
   const std::size_t points = samples_.size();
   const std::size_t count = target_.parameters().size();
@@ -23,28 +23,28 @@ void Linearised::reset(std::vector<Correspondence> samples, const std::array<boo
   at_.reset();
 }
 
-bool Linearised::evaluate(const ParameterValues& values, NormalEquations& sums) {
-  const bool with_slopes = !sums.gradient.empty();
+bool SampleJacobian::evaluate(const ParameterValues& values, NormalEquations& sums) {
+  const bool with_derivatives = !sums.gradient.empty();
   // The solver needs the derivatives where it has just needed the cost: cheap ones are computed at once and kept.
-  if (!(with_slopes || target_.cheap_slopes() ? linearise(values) : compute_residuals(values))) return false;
+  if (!(with_derivatives || target_.cheap_derivatives() ? compute_jacobian(values) : compute_residuals(values))) return false;
   const Column r = residuals();
   products(std::span(&r, 1), r, &sums.cost);
-  if (with_slopes) {
+  if (with_derivatives) {
     products(columns_, r, sums.gradient.data());
     products(columns_, sums.hessian.data());
   }
   return true;
 }
 
-bool Linearised::linearise(const ParameterValues& values) {
+bool SampleJacobian::compute_jacobian(const ParameterValues& values) {
   if (at_ == values) return true;
   at_.reset();
-  if (!target_.linearise(values.data(), samples_, out())) return false;
+  if (!target_.compute_jacobian(values.data(), samples_, out())) return false;
   at_ = values;
   return true;
 }
 
-bool Linearised::compute_residuals(const ParameterValues& values) {
+bool SampleJacobian::compute_residuals(const ParameterValues& values) {
   at_.reset();
   const std::size_t points = samples_.size();
   pixels_.resize(points);

@@ -10,7 +10,7 @@ namespace fca::test {
 namespace {
 
 template <CameraModelType M>
-void expect_slopes_of(const TestCamera<M>& camera, const Ray& ray) {
+void expect_derivatives_of(const TestCamera<M>& camera, const Ray& ray) {
   constexpr std::size_t kCount = kParameterCount<M>;
   using Jet = ceres::Jet<double, int{kCount}>;
   std::array<Jet, kCount> parameters;
@@ -18,32 +18,32 @@ void expect_slopes_of(const TestCamera<M>& camera, const Ray& ray) {
   const Jet jet_ray[3] = {Jet(ray[0]), Jet(ray[1]), Jet(ray[2])};
   Jet expected[2];
   Pixel pixel{};
-  double slopes[2][kCount] = {};
+  double derivatives[2][kCount] = {};
   const bool has_pixel = M::formula(parameters.data(), jet_ray, expected);
-  ASSERT_EQ(M::formula_and_slopes(camera.p(), ray.data(), pixel.data(), slopes[0], slopes[1]), has_pixel);
+  ASSERT_EQ(M::formula_and_derivatives(camera.p(), ray.data(), pixel.data(), derivatives[0], derivatives[1]), has_pixel);
   if (!has_pixel) return;
   const std::array<double, 2> centre = M::principal_point(camera.p());
   for (const std::size_t axis : {0U, 1U}) {
     const double size = 1.0 + std::abs(expected[axis].a - centre[axis]);
     EXPECT_NEAR(pixel[axis], expected[axis].a, 1e-12 * (size + std::abs(centre[axis])));
     for (std::size_t i = 0; i < kCount; ++i) {
-      const double slope = expected[axis].v[static_cast<int>(i)];
+      const double derivative = expected[axis].v[static_cast<int>(i)];
       const double largest = std::hypot(expected[0].v[static_cast<int>(i)], expected[1].v[static_cast<int>(i)]);
-      EXPECT_NEAR(slopes[axis][i], slope, 1e-9 * (largest + 1.0)) << M::kParameters[i].name << " axis " << axis;
+      EXPECT_NEAR(derivatives[axis][i], derivative, 1e-9 * (largest + 1.0)) << M::kParameters[i].name << " axis " << axis;
     }
   }
 }
 
-TEST(Slopes, AgreeWithAutomaticDifferentiation) {
+TEST(Derivatives, AgreeWithAutomaticDifferentiation) {
   int models = 0;
   for_each_model([&]<CameraModelType M>() {
-    if constexpr (internal::HasSlopes<M>) {
+    if constexpr (internal::HasDerivatives<M>) {
       ++models;
       for (const TestCamera<M>& camera : cameras_and_neighbours_of<M>(5)) {
         SCOPED_TRACE(camera.name);
         for (const double share : {0.0, 1e-6, 0.01, 0.2, 0.5, 0.8, 0.95}) {
           for (const double azimuth : some_azimuths()) {
-            expect_slopes_of<M>(camera, ray_at(share * M::max_angle(camera.p()), azimuth));
+            expect_derivatives_of<M>(camera, ray_at(share * M::max_angle(camera.p()), azimuth));
           }
         }
       }
