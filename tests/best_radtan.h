@@ -3,7 +3,7 @@
 // barrier, from 20 random starts, over every pixel. Shares no code with the library's fits.
 #pragma once
 
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/models/camera_model.h>
 #include <fca/rig/rig.h>
 
@@ -22,13 +22,13 @@ namespace fca::test {
 /// What of a camera's image lies inside an angle.
 class Cone {
  public:
-  Cone(const Camera& camera, double angle_rad) : reach_(std::tan(angle_rad)), centre_(principal_point(camera.model)) {
+  Cone(const Camera& camera, double angle_rad) : largest_tangent_(std::tan(angle_rad)), centre_(principal_point(camera.model)) {
     Diagnostics diagnostics;
-    const std::optional<Domain> domain = domain_of(camera, angle_rad, diagnostics);
-    if (!domain) return;
+    const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, angle_rad, diagnostics);
+    if (!field_of_view) return;
     const Lens lens(camera.model);
-    for (int v = 0; v < domain->size.height; ++v) {
-      for (int u = 0; u < domain->size.width; ++u) add(*domain, lens, {1.0 * u, 1.0 * v});
+    for (int v = 0; v < field_of_view->size.height; ++v) {
+      for (int u = 0; u < field_of_view->size.width; ++u) add(*field_of_view, lens, {1.0 * u, 1.0 * v});
     }
     for (Moments& axis : moments_) axis /= static_cast<double>(points_.size());
   }
@@ -38,7 +38,7 @@ class Cone {
   using Moments = Eigen::Matrix<double, 8, 8>;
   [[nodiscard]] const std::array<Moments, 2>& moments() const { return moments_; }
   [[nodiscard]] const Pixel& centre() const { return centre_; }
-  [[nodiscard]] double reach() const { return reach_; }  ///< tan of the angle.
+  [[nodiscard]] double largest_tangent() const { return largest_tangent_; }  ///< tan of the angle.
 
   /// Of a model in px; infinite where a pixel's ray has none in it.
   [[nodiscard]] double rms_of(const CameraModel& model) const {
@@ -57,8 +57,8 @@ class Cone {
     Pixel pixel;
   };
 
-  void add(const Domain& domain, const Lens& lens, const Pixel& pixel) {
-    const std::optional<Ray> ray = domain.ray(lens, pixel);
+  void add(const FieldOfView& field_of_view, const Lens& lens, const Pixel& pixel) {
+    const std::optional<Ray> ray = field_of_view.ray(lens, pixel);
     if (!ray) return;
     points_.push_back({*ray, pixel});
     const double x = (*ray)[0] / (*ray)[2];
@@ -71,7 +71,7 @@ class Cone {
     moments_[1] += of_v * of_v.transpose();
   }
 
-  double reach_;
+  double largest_tangent_;
   Pixel centre_;
   std::vector<Point> points_;
   std::array<Moments, 2> moments_ = {Moments::Zero(), Moments::Zero()};
@@ -146,7 +146,7 @@ class BarrierFit {
     const double length = std::sqrt(p[6] * p[6] + p[7] * p[7] + kRounded * kRounded);
     double sum = 0.0;
     for (int place = 1; place <= kPlaces; ++place) {
-      const double r = cone_.reach() * place / kPlaces;
+      const double r = cone_.largest_tangent() * place / kPlaces;
       const double s = r * r;
       for (const std::array<double, 4>& c : {std::array{3.0, 5.0, 7.0, 6.0}, std::array{1.5, 2.0, 2.5, 4.0}}) {
         const double value = 1.0 + c[0] * p[4] * s + c[1] * p[5] * s * s + c[2] * p[8] * s * s * s - c[3] * length * r;

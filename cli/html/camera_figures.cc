@@ -20,7 +20,7 @@ namespace {
 constexpr double kNoticeableDeg = 0.5;
 
 /// The largest angle from the axis that counts, in degrees.
-double domain_deg(const DrawnCamera& camera, const ImageField* angles) {
+double field_of_view_deg(const DrawnCamera& camera, const ImageField* angles) {
   if (camera.statistics != nullptr) return camera.statistics->coverage.max_angle_deg;
   if (angles != nullptr) return angle_scale(*angles).to;
   constexpr double kUsual = 90.0;
@@ -46,10 +46,10 @@ Curve law_of(double to_deg, const char* style, const char* name, Law&& radius) {
   return curve;
 }
 
-Chart radius_chart(const DrawnCamera& camera, double domain) {
-  constexpr double kBeyond = 1.06;  // what lies behind the domain's end shows how a model goes on
+Chart radius_chart(const DrawnCamera& camera, double field_of_view) {
+  constexpr double kBeyond = 1.06;  // what lies behind the field of view's end shows how a model goes on
   constexpr double kWhole = 180.0;
-  const double to = std::min(kWhole, kBeyond * domain);
+  const double to = std::min(kWhole, kBeyond * field_of_view);
   Chart chart;
   chart.title = "Radius over angle";
   chart.what = "Distance from the principal point over the angle from the axis, for " + camera.source.name;
@@ -71,8 +71,8 @@ Chart radius_chart(const DrawnCamera& camera, double domain) {
   }
   constexpr double kAbove = 1.05;
   chart.y = {"px from the principal point", 0.0, farthest > 0.0 ? kAbove * farthest : 1.0};
-  chart.marks.push_back({domain, "view ends"});
-  if (camera.statistics != nullptr && camera.scored_to_deg < domain - kNoticeableDeg)
+  chart.marks.push_back({field_of_view, "view ends"});
+  if (camera.statistics != nullptr && camera.scored_to_deg < field_of_view - kNoticeableDeg)
     chart.marks.push_back({camera.scored_to_deg, "scored to here"});
   return chart;
 }
@@ -156,11 +156,11 @@ Chart error_chart(const DrawnCamera& camera) {
 }
 
 std::optional<MapFigure> error_map(const DrawnCamera& camera) {
-  const double reach = camera.scored_to_deg / kDegreesPerRadian;
+  const double max_angle_rad = camera.scored_to_deg / kDegreesPerRadian;
   std::optional<ImageField> field =
-      error_field(camera.source, *camera.target, camera.limit_rad, reach, kPictureCells, camera.turn);
+      error_field(camera.source, *camera.target, camera.limit_rad, max_angle_rad, kPictureCells, camera.turn);
   std::optional<ImageField> coarse =
-      error_field(camera.source, *camera.target, camera.limit_rad, reach, kContourCells, camera.turn);
+      error_field(camera.source, *camera.target, camera.limit_rad, max_angle_rad, kContourCells, camera.turn);
   if (!field || !coarse) return std::nullopt;
   const ErrorSummary& error = camera.statistics->error;
   MapFigure figure;
@@ -224,14 +224,14 @@ bool DrawnCamera::errs() const {
 void put_figures(Html& html, const DrawnCamera& camera) {
   const bool errs = camera.errs();
   const std::optional<MapFigure> map = errs ? error_map(camera) : angle_map(camera);
-  const double domain = domain_deg(camera, map && !errs ? &map->field : nullptr);
+  const double field_of_view = field_of_view_deg(camera, map && !errs ? &map->field : nullptr);
   html.element("div", {{"class", "figures"}}, [&] {
     html.element("div", {{"class", "stack"}}, [&] {
       if (map) put_map(html, *map);
       if (errs) put_bands(html, camera);
     });
     html.element("div", {{"class", "stack"}}, [&] {
-      put_chart(html, radius_chart(camera, domain));
+      put_chart(html, radius_chart(camera, field_of_view));
       if (errs) put_chart(html, error_chart(camera));
     });
   });

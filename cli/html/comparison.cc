@@ -59,7 +59,7 @@ void put_words(Html& html, const CameraComparison& camera) {
   }
   const CameraDifference& difference = camera.difference;
   const Coverage& coverage = difference.statistics.coverage;
-  put_line(html, "field of view: ", domain_in_words(coverage) + "; " + coverage_text(coverage, camera.scored_to_deg));
+  put_line(html, "field of view: ", field_of_view_in_words(coverage) + "; " + coverage_text(coverage, camera.scored_to_deg));
   put_line(html, "difference: ",
            error_text(difference.statistics, camera.size) + "; rms " + pixels(difference.angle.rms_deg) + " deg, max " +
                pixels(difference.angle.max_deg) + " deg");

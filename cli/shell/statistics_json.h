@@ -11,7 +11,7 @@
 
 namespace fca::cli {
 
-inline void put_domain(Json& json, const Coverage& coverage, double scored_to_deg) {
+inline void put_field_of_view(Json& json, const Coverage& coverage, double scored_to_deg) {
   json.object("domain", [&] {
     json.put("max_angle_deg", coverage.max_angle_deg);
     json.put("why", text::text_of(coverage.why, with_options));

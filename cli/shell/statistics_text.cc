@@ -16,7 +16,7 @@ std::string circle_in_words(const LensCircle& circle) {
          " of its rim in the image found, rms " + pixels(circle.rms_px) + " px";
 }
 
-std::string domain_in_words(const Coverage& coverage) {
+std::string field_of_view_in_words(const Coverage& coverage) {
   const std::string why = text::text_of(coverage.why, with_options);
   if (!coverage.circle) return angle_in_words(coverage.max_angle_deg) + ": " + why;
   const LensCircle& circle = *coverage.circle;
@@ -24,7 +24,7 @@ std::string domain_in_words(const Coverage& coverage) {
   return "up to " + text::format_short(coverage.max_angle_deg, 4) + " deg from the axis: " + first + circle_in_words(circle);
 }
 
-std::string domain_text(const Coverage& coverage) { return "  view:   " + domain_in_words(coverage) + "\n"; }
+std::string field_of_view_text(const Coverage& coverage) { return "  view:   " + field_of_view_in_words(coverage) + "\n"; }
 
 constexpr double kNoticeableShare = 0.0005;  // less is 0.0 %
 

@@ -16,9 +16,9 @@ namespace fca::cli {
 [[nodiscard]] std::string circle_in_words(const LensCircle& circle);
 /// "115.3 deg from the axis (230.5 deg in full): the whole image". A lens circle need not lie about the axis: then only how far
 /// it reaches from there, and where it is.
-[[nodiscard]] std::string domain_in_words(const Coverage& coverage);
-/// "  domain: " and those words
-[[nodiscard]] std::string domain_text(const Coverage& coverage);
+[[nodiscard]] std::string field_of_view_in_words(const Coverage& coverage);
+/// "  view:   " and those words
+[[nodiscard]] std::string field_of_view_text(const Coverage& coverage);
 /// "100.0 % of the image scored, 3.0 % outside the lens": what was scored, and the parts of the image that were not.
 [[nodiscard]] std::string coverage_text(const Coverage& coverage, double scored_to_deg);
 /// "rms 0.118 px, max 2.96 px at (511.0, 0.0), proven below 2.98 everywhere"

@@ -7,7 +7,7 @@
 #include "topics.h"
 
 #include <fca/code.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/formats/verdict.h>

@@ -24,10 +24,10 @@ struct Pair {
   double weight = 0.0;
 };
 
-std::vector<Pair> pairs_of(const Lens& reference, const CameraModel& other, const Domain& domain) {
+std::vector<Pair> pairs_of(const Lens& reference, const CameraModel& other, const FieldOfView& field_of_view) {
   constexpr int kSamples = 400;
   std::vector<Pair> pairs;
-  for (const Correspondence& sample : fca::sample(reference, domain, kSamples)) {
+  for (const Correspondence& sample : fca::sample(reference, field_of_view, kSamples)) {
     const std::optional<Ray> ray = unproject(other, sample.pixel);
     if (ray) pairs.push_back({vector_of(sample.ray), vector_of(*ray), {sample.pixel[0], sample.pixel[1]}, sample.weight});
   }
@@ -131,9 +131,9 @@ Move polished(const CameraModel& other, std::vector<Pair> pairs, Move move) {
 
 }  // namespace
 
-std::optional<Transform> best_rotation(const Lens& reference, const CameraModel& other, const Domain& domain,
+std::optional<Transform> best_rotation(const Lens& reference, const CameraModel& other, const FieldOfView& field_of_view,
                                        std::optional<double> distance_m) {
-  const std::vector<Pair> pairs = pairs_of(reference, other, domain);
+  const std::vector<Pair> pairs = pairs_of(reference, other, field_of_view);
   constexpr std::size_t kFewest = 3;  // two numbers each, for six unknowns
   if (pairs.size() < kFewest) return std::nullopt;
   const Move start = {wahba(pairs)};

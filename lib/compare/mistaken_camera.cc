@@ -160,7 +160,7 @@ void add_left_out(const CameraModel& reference, const CameraModel& other, Candid
 }  // namespace
 
 std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, double scale,
-                                  const CameraDifference& difference, const Domain& domain) {
+                                  const CameraDifference& difference, const FieldOfView& field_of_view) {
   constexpr double kNoArea = 1e-3;
   if (difference.statistics.error.max <= kSamePx && difference.statistics.coverage.unrepresentable <= kNoArea)
     return std::nullopt;
@@ -175,11 +175,11 @@ std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, 
 
   // A guess must come as near as two honest calibrations of one camera rarely do.
   constexpr double kNear = 1.0;
-  double best = std::min(kNear, kExplained * misfit_px(reference.model, other.model, domain));
+  double best = std::min(kNear, kExplained * misfit_px(reference.model, other.model, field_of_view));
   std::optional<Mistake> mistake;
   for (const Candidate& candidate : candidates) {
     if (!validate(candidate.undone).empty()) continue;
-    const double misfit = misfit_px(reference.model, candidate.undone, domain);
+    const double misfit = misfit_px(reference.model, candidate.undone, field_of_view);
     if (!(misfit <= best)) continue;
     best = misfit;
     mistake = Mistake{Message{candidate.code, {other.name}}};

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <fca/compare/report.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/rig/rig.h>
 
 #include <optional>
@@ -16,6 +16,6 @@ inline constexpr double kExplained = 0.05;
 /// The slip that explains how `other` (in the reference's pixels; `scale`: reference's pixels per pixel of its own) differs;
 /// nothing where the two are the same or none explains it.
 [[nodiscard]] std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, double scale,
-                                                const CameraDifference& difference, const Domain& domain);
+                                                const CameraDifference& difference, const FieldOfView& field_of_view);
 
 }  // namespace fca::internal

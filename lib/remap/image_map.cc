@@ -2,7 +2,7 @@
 #include "ahead.h"
 #include "turn_rays.h"
 
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/remap/image_map.h>
 #include <fca/remap/view.h>
 
@@ -68,10 +68,10 @@ struct ImageMapper::Pair {
         maybe_seen(last_rad + kLastAngleSlack < std::numbers::pi ? std::cos(last_rad + kLastAngleSlack) - kClose : -2.0),
         pixels(source, last_rad - kLastAngleSlack) {}
 
-  Pair(const Camera& from, const Camera& to, const Transform& T_source_target, double target_reach_rad, double limit_rad)
+  Pair(const Camera& from, const Camera& to, const Transform& T_source_target, double target_max_angle_rad, double limit_rad)
       : Pair(from, *to.image_size, T_source_target, limit_rad) {
     target = to.model;
-    rays.emplace(*target, target_reach_rad);
+    rays.emplace(*target, target_max_angle_rad);
     if (const auto* pinhole = std::get_if<Intrinsics<Pinhole>>(&*target))
       ahead = internal::AheadPixels::of(source, from_plane(rotation, *pinhole), surely_seen);
   }
@@ -159,8 +159,8 @@ ImageMapper::~ImageMapper() = default;
 
 std::optional<ImageMapper> ImageMapper::between(const Camera& source, const Camera& target, const Transform& T_source_target,
                                                 std::optional<double> limit_rad, Diagnostics& diagnostics) {
-  const std::optional<Domain> from = domain_of(source, limit_rad, diagnostics);
-  const std::optional<Domain> to = domain_of(target, std::nullopt, diagnostics);
+  const std::optional<FieldOfView> from = field_of_view_of(source, limit_rad, diagnostics);
+  const std::optional<FieldOfView> to = field_of_view_of(target, std::nullopt, diagnostics);
   if (!from || !to) return std::nullopt;
   return ImageMapper(
       std::make_unique<const Pair>(source, target, T_source_target, to->max_angle_rad, limit_rad.value_or(std::numbers::pi)));
@@ -169,7 +169,7 @@ std::optional<ImageMapper> ImageMapper::between(const Camera& source, const Came
 std::optional<ImageMapper> ImageMapper::to_equirectangular(const Camera& source, const ImageSize& size,
                                                            const Transform& T_source_target, std::optional<double> limit_rad,
                                                            Diagnostics& diagnostics) {
-  if (!domain_of(source, limit_rad, diagnostics)) return std::nullopt;
+  if (!field_of_view_of(source, limit_rad, diagnostics)) return std::nullopt;
   return ImageMapper(std::make_unique<const Pair>(source, size, T_source_target, limit_rad.value_or(std::numbers::pi)));
 }
 

@@ -61,17 +61,17 @@ double half_lit(const GreyView& view, const Levels& levels, const Place& place, 
   return first + 0.5;
 }
 
-/// Means of 2 `reach` + 1 samples along a row of `count`; fewer at its ends.
-void smooth_row(const float* from, float* to, int count, int reach) {
+/// Means of 2 `half_width` + 1 samples along a row of `count`; fewer at its ends.
+void smooth_row(const float* from, float* to, int count, int half_width) {
   double sum = 0.0;
   int samples = 0;
-  for (int i = -reach; i < count; ++i) {
-    if (i + reach < count) {
-      sum += from[i + reach];
+  for (int i = -half_width; i < count; ++i) {
+    if (i + half_width < count) {
+      sum += from[i + half_width];
       ++samples;
     }
-    if (i - reach > 0) {
-      sum -= from[i - reach - 1];
+    if (i - half_width > 0) {
+      sum -= from[i - half_width - 1];
       --samples;
     }
     if (i >= 0) to[i] = static_cast<float>(sum / samples);
@@ -79,19 +79,19 @@ void smooth_row(const float* from, float* to, int count, int reach) {
 }
 
 /// The same along all columns, row by row: what lies in memory one after the other is read so.
-void smooth_columns(const float* from, float* to, int width, int height, int reach) {
+void smooth_columns(const float* from, float* to, int width, int height, int half_width) {
   const auto columns = static_cast<std::size_t>(width);
   std::vector<double> sums(columns);
   const auto row_of = [&](int row) { return static_cast<std::size_t>(row) * columns; };
   int samples = 0;
-  for (int row = -reach; row < height; ++row) {
-    if (row + reach < height) {
-      const float* const next = from + row_of(row + reach);
+  for (int row = -half_width; row < height; ++row) {
+    if (row + half_width < height) {
+      const float* const next = from + row_of(row + half_width);
       for (std::size_t i = 0; i < columns; ++i) sums[i] += next[i];
       ++samples;
     }
-    if (row - reach > 0) {
-      const float* const last = from + row_of(row - reach - 1);
+    if (row - half_width > 0) {
+      const float* const last = from + row_of(row - half_width - 1);
       for (std::size_t i = 0; i < columns; ++i) sums[i] -= last[i];
       --samples;
     }
@@ -106,14 +106,14 @@ void smooth_columns(const float* from, float* to, int width, int height, int rea
 
 GreyImage smoothed(const GreyImage& image) {
   constexpr int kSmall = 200;  // px
-  const int reach = std::min(image.width, image.height) < kSmall ? 1 : 2;
+  const int half_width = std::min(image.width, image.height) < kSmall ? 1 : 2;
   GreyImage along_rows = image;
   for (std::ptrdiff_t row = 0; row < image.height; ++row) {
     const std::ptrdiff_t first = row * image.width;
-    smooth_row(image.samples.data() + first, along_rows.samples.data() + first, image.width, reach);
+    smooth_row(image.samples.data() + first, along_rows.samples.data() + first, image.width, half_width);
   }
   GreyImage result = along_rows;
-  smooth_columns(along_rows.samples.data(), result.samples.data(), image.width, image.height, reach);
+  smooth_columns(along_rows.samples.data(), result.samples.data(), image.width, image.height, half_width);
   return result;
 }
 

@@ -6,8 +6,8 @@
 #include <convert/bound/bound.h>
 #include <convert/evaluation/stages.h>
 #include <fca/convert/convert.h>
-#include <fca/convert/domain.h>
 #include <fca/convert/evaluate.h>
+#include <fca/convert/field_of_view.h>
 
 #include <benchmark/benchmark.h>
 
@@ -27,7 +27,7 @@ struct Source {
 
 /// A conversion to be evaluated.
 struct Pair {
-  Domain domain;
+  FieldOfView field_of_view;
   CameraModel target;
 };
 
@@ -37,14 +37,14 @@ Pair make_pair(const Source& source, const std::string& target) {
   options.bound = false;
   if (source.max_angle_deg) options.max_angle_rad = *source.max_angle_deg * test::kRadians;
   Diagnostics diagnostics;
-  return {domain_of(source.camera, options.max_angle_rad, diagnostics).value(),
+  return {field_of_view_of(source.camera, options.max_angle_rad, diagnostics).value(),
           convert(source.camera, options, diagnostics).value().camera.model};
 }
 
 void certificate(benchmark::State& state, const Source& source, const std::string& target) {
   const Pair pair = make_pair(source, target);
   ErrorStatistics statistics;
-  for (auto _ : state) statistics = evaluate(source.camera.model, pair.target, pair.domain);
+  for (auto _ : state) statistics = evaluate(source.camera.model, pair.target, pair.field_of_view);
   char label[64];
   std::snprintf(label, sizeof label, "bound / max %.4f", statistics.error.bound / statistics.error.max);
   state.SetLabel(label);
@@ -55,24 +55,24 @@ void every_pixel(benchmark::State& state, const Source& source, const std::strin
   EvaluateOptions options;
   options.every_pixel = true;
   options.bound = false;
-  const internal::Scorer scorer(source.camera.model, &pair.target, nullptr, pair.domain, options.target_reach_rad);
+  const internal::Scorer scorer(source.camera.model, &pair.target, nullptr, pair.field_of_view, options.target_max_angle_rad);
   for (auto _ : state) benchmark::DoNotOptimize(internal::score_every_pixel(scorer));
-  const ImageSize& size = pair.domain.size;
+  const ImageSize& size = pair.field_of_view.size;
   state.SetItemsProcessed(state.iterations() * size.width * size.height);
 }
 
 /// The two halves of a certificate, each alone.
 void lattice(benchmark::State& state, const Source& source, const std::string& target) {
   const Pair pair = make_pair(source, target);
-  const internal::Scorer scorer(source.camera.model, &pair.target, nullptr, pair.domain, 4.0);
+  const internal::Scorer scorer(source.camera.model, &pair.target, nullptr, pair.field_of_view, 4.0);
   for (auto _ : state) benchmark::DoNotOptimize(internal::score_on_lattice(scorer));
 }
 
 void bound(benchmark::State& state, const Source& source, const std::string& target) {
   const Pair pair = make_pair(source, target);
-  const double seen = evaluate(source.camera.model, pair.target, pair.domain).error.max;
+  const double seen = evaluate(source.camera.model, pair.target, pair.field_of_view).error.max;
   internal::ErrorBound proof;
-  for (auto _ : state) proof = internal::bound_error(source.camera.model, pair.target, pair.domain, 4.0, seen);
+  for (auto _ : state) proof = internal::bound_error(source.camera.model, pair.target, pair.field_of_view, 4.0, seen);
   state.SetLabel(std::to_string(proof.evaluations) + " evaluations");
 }
 

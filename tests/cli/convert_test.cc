@@ -387,7 +387,7 @@ TEST(Convert, TheUnitOfOpenCvsPoseIsAnAssumption) {
   }
 }
 
-TEST(Convert, MaxAngleIsTheDomain) {
+TEST(Convert, MaxAngleIsTheFieldOfView) {
   const Json whole =
       json_of(run_program({"convert", kTumvi, "--camera", "0", "--to", "orbslam3", "--model", "eucm", "--json"}));
   const Json lens = json_of(run_program(
@@ -401,7 +401,7 @@ TEST(Convert, MaxAngleIsTheDomain) {
   EXPECT_EQ(cut["domain"]["why"].GetString(), text::text_of({Code::kFieldOfViewGiven}, cli::with_options));
 }
 
-TEST(Convert, TheConeOfATargetThatReachesLessIsSaid) {
+TEST(Convert, TheAngleOfATargetThatReachesLessIsReported) {
   const std::vector<std::string> command = {"convert", kTumvi, "--camera", "0", "--to", "opencv", "--model", "radtan"};
   std::vector<std::string> with_json = command;
   with_json.emplace_back("--json");
@@ -455,11 +455,12 @@ TEST(Convert, JsonHasTheContractsKeysAndTypes) {
     EXPECT_TRUE(camera["exact"].IsBool());
     expect_numbers(camera["parameters"], {"fx", "fy", "cx", "cy", "alpha", "beta"});
     EXPECT_TRUE(camera["at_bound"].IsArray());
-    const Value& domain = camera["domain"];
-    expect_numbers(domain, {"max_angle_deg", "scored_to_deg", "scored_share", "outside_lens_share", "unrepresentable_share"});
-    EXPECT_TRUE(domain["why"].IsString());
-    EXPECT_NEAR(domain["scored_share"].GetDouble() + domain["outside_lens_share"].GetDouble() +
-                    domain["unrepresentable_share"].GetDouble(),
+    const Value& field_of_view = camera["domain"];
+    expect_numbers(field_of_view,
+                   {"max_angle_deg", "scored_to_deg", "scored_share", "outside_lens_share", "unrepresentable_share"});
+    EXPECT_TRUE(field_of_view["why"].IsString());
+    EXPECT_NEAR(field_of_view["scored_share"].GetDouble() + field_of_view["outside_lens_share"].GetDouble() +
+                    field_of_view["unrepresentable_share"].GetDouble(),
                 1.0, 1e-9);
     const Value& error = camera["error_px"];
     expect_numbers(error, {"rms", "mean", "p50", "p95", "p99", "max"});
@@ -480,7 +481,7 @@ TEST(Convert, JsonHasTheContractsKeysAndTypes) {
       square_sum += band["share"].GetDouble() * std::pow(band["rms_px"].GetDouble(), 2);
       EXPECT_LE(band["max_px"].GetDouble(), error["max"].GetDouble() * (1.0 + 1e-9));
     }
-    EXPECT_NEAR(share, domain["scored_share"].GetDouble(), 1e-9) << "the bands are the scored part";
+    EXPECT_NEAR(share, field_of_view["scored_share"].GetDouble(), 1e-9) << "the bands are the scored part";
     EXPECT_NEAR(std::sqrt(square_sum / share), error["rms"].GetDouble(), 1e-9 + 1e-6 * error["rms"].GetDouble());
     expect_numbers(camera["fit"], {"samples", "iterations", "time_us"});
   }
@@ -590,15 +591,15 @@ TEST(Convert, MaxErrorKnowsNoSmallPartAndNoRounding) {
   const std::string wide = folder.write("wide.yaml", kWide);
   const RunResult ds = run_program({"convert", wide, "--to", "kalibr", "--model", "ds", "--max-error", "1000", "--json"});
   const Json json = json_of(ds);
-  const Value& domain = json["cameras"][0]["domain"];
-  ASSERT_GT(domain["unrepresentable_share"].GetDouble(), 0.0) << "another lens is wanted";
-  EXPECT_LT(domain["unrepresentable_share"].GetDouble(), 1e-3) << "another lens is wanted";
+  const Value& field_of_view = json["cameras"][0]["domain"];
+  ASSERT_GT(field_of_view["unrepresentable_share"].GetDouble(), 0.0) << "another lens is wanted";
+  EXPECT_LT(field_of_view["unrepresentable_share"].GetDouble(), 1e-3) << "another lens is wanted";
   EXPECT_EQ(ds.code, 1) << ds.err;
   EXPECT_EQ(run_program({"convert", kTumvi, "--to", "kalibr", "--max-error", "0"}).code, 0);
 }
 
 // The lens ends behind the angle that was given, beside what a coarse look at the image sees.
-TEST(Convert, TheDomainEndsForTheReasonGiven) {
+TEST(Convert, TheFieldOfViewEndsForTheReasonGiven) {
   const TemporaryFolder folder;
   const std::string wide = folder.write("wide.yaml", kWide);
   for (const char* angle : {"100", "105"}) {

@@ -89,7 +89,7 @@ void put_camera(Json& json, const CameraComparison& camera) {
     });
   });
   json.put("identical", camera.identical);
-  put_domain(json, camera.difference.statistics.coverage, camera.scored_to_deg);
+  put_field_of_view(json, camera.difference.statistics.coverage, camera.scored_to_deg);
   put_difference(json, camera.difference, camera.size, camera.identical);
   put_focus(json, camera);
   if (!camera.rotated) {

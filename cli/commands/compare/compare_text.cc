@@ -103,7 +103,7 @@ std::string camera_text(const CameraComparison& camera, bool with_bands) {
   std::string text = heading(camera);
   const CameraDifference& difference = camera.difference;
   const ErrorStatistics& statistics = difference.statistics;
-  text += domain_text(statistics.coverage);
+  text += field_of_view_text(statistics.coverage);
   text += "          " + coverage_text(statistics.coverage, camera.scored_to_deg) + "\n";
   if (!(statistics.coverage.scored > 0.0)) return text;
   text += "  error:  " + error_text(statistics, camera.size) + "\n";

@@ -24,10 +24,10 @@ namespace {
 
 void put_report(Json& json, const ConversionReport& report) {
   json.put("at_bound", std::span<const std::string>(report.at_bound));
-  put_domain(json, report.statistics.coverage, report.scored_to_deg);
+  put_field_of_view(json, report.statistics.coverage, report.scored_to_deg);
   put_error(json, report.statistics.error);
   json.array("bands", report.statistics.bands, [&](const ErrorBand& band) { json.object([&] { put_band(json, band); }); });
-  json.array("reach", report.reach, [&](const ReachRow& row) {
+  json.array("reach", report.max_angles, [&](const MaxAngleRow& row) {
     json.object([&] {
       json.put("max_angle_deg", row.max_angle_deg);
       json.put("scored_to_deg", row.scored_to_deg);

@@ -53,9 +53,9 @@ std::string camera_line(const ConvertedCamera& camera) {
 namespace {
 
 /// A file cannot tell black corners from glass, and the choice changes the error tenfold.
-std::string reach_text(const std::vector<ReachRow>& rows) {
+std::string max_angle_text(const std::vector<MaxAngleRow>& rows) {
   if (rows.empty()) return "";
-  const auto is_same = [&rows](const ReachRow& row) {
+  const auto is_same = [&rows](const MaxAngleRow& row) {
     return row.scored == rows.front().scored && row.rms_px == rows.front().rms_px;
   };
   if (rows.size() > 1 && std::ranges::all_of(rows, is_same))
@@ -64,7 +64,7 @@ std::string reach_text(const std::vector<ReachRow>& rows) {
   constexpr std::size_t kWidth = 12;
   std::string text = "  if the lens ends earlier and the corners are black, --max-angle DEG fits only the lens:\n    " +
                      padded("DEG", kWidth) + padded("share", kWidth) + padded("rms px", kWidth) + "max px\n";
-  for (const ReachRow& row : rows) {
+  for (const MaxAngleRow& row : rows) {
     text += "    " + padded(text::format_short(row.max_angle_deg, 4), kWidth) + padded(percent(row.scored), kWidth) +
             padded(pixels(row.rms_px), kWidth) + pixels(row.max_px) +
             (row.scored_to_deg < row.max_angle_deg - kNoticeable
@@ -109,14 +109,14 @@ std::string weight_text(const ConversionReport& report) {
 
 std::string report_text(const ConversionReport& report, const Format& to, const CameraModel& target) {
   const ErrorStatistics& j = report.statistics;
-  std::string text = domain_text(j.coverage);
+  std::string text = field_of_view_text(j.coverage);
   text += "          " + coverage_text(j.coverage, report.scored_to_deg) + "\n";
   text += "  error:  " + error_text(j) + "\n";
   if (!report.exact) {
     text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) +
             ", 99 % " + pixels(j.error.p99) + "\n";
   }
-  text += weight_text(report) + objective_text(report) + band_table(j.bands) + reach_text(report.reach);
+  text += weight_text(report) + objective_text(report) + band_table(j.bands) + max_angle_text(report.max_angles);
   if (!report.at_bound.empty())
     text += "  at the edge of its range: " + enumerated(report.at_bound) + why_at_bound(report, to, target) + "\n";
   return text;
@@ -232,7 +232,7 @@ std::string convert_text(const ConvertOutcome& outcome, bool written, bool with_
     text += "\n" + name_in_words(camera) + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
     const bool kept = camera.source.model == camera.target.model;
     if (camera.report) {
-      text += kept ? domain_text(camera.report->statistics.coverage)
+      text += kept ? field_of_view_text(camera.report->statistics.coverage)
                    : report_text(*camera.report, *outcome.to, camera.target.model);
     }
     if (kept) text += "  error:  none: the same model and parameters\n";

@@ -47,7 +47,7 @@ std::string name_of(const EvaluatedRow& row) {
 
 std::string milliseconds(double microseconds) { return text::format_short(microseconds / 1000.0, 2); }
 
-std::string domain_in_words(const std::optional<double>& max_angle_deg) {
+std::string field_of_view_in_words(const std::optional<double>& max_angle_deg) {
   return max_angle_deg ? "inside " + text::format_short(*max_angle_deg, 4) + " deg from the axis" : "the whole image";
 }
 
@@ -80,7 +80,7 @@ std::string table_text(const EvaluatedTable& table) {
                                                 {10, "", "ours"}}};
   const paper::ConversionTable& published = table.published;
   std::string text = "Table " + std::to_string(published.number) + ": " + std::string(published.title) + ", " +
-                     size_in_words(published.size) + " px, " + domain_in_words(published.max_angle_deg) + "\n" +
+                     size_in_words(published.size) + " px, " + field_of_view_in_words(published.max_angle_deg) + "\n" +
                      heading(kColumns);
   std::vector<std::string> times;
   for (const EvaluatedRow& row : table.rows) {

@@ -5,7 +5,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/least_error.h>
-#include <fca/convert/reach.h>
+#include <fca/convert/max_angle_table.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice)
   options.every_pixel = choice.request.every_pixel;
   options.objective = choice.request.objective;
   options.weight = {choice.request.weight, choice.request.density};
-  options.cone = choice.partial == Partial::kCone;
+  options.reduce_angle = choice.partial == Partial::kSmallerAngle;
   if (find_model(stored.model)->least_degree > 0) options.degree = choice.request.degree;
   options.ranges = ranges_of(stored, choice);
   options.fixed = choice.request.fixed;
@@ -200,7 +200,7 @@ bool surely_loses(const std::vector<Camera>& cameras, const StoredModel& stored,
 }
 
 /// Fits all cameras with the best model that may be chosen. A model that sees only ahead is not tried if another covers what is
-/// behind, and not fitted to a cone if another is good everywhere: that fit is the slowest of all.
+/// behind, and not fitted up to a smaller angle if another is good everywhere: that fit is the slowest of all.
 /// A model is not fitted at all if none of its cameras can be as good as a fit that is good everywhere.
 std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>& cameras, const Format& format,
                                                        const ModelChoice& choice, Diagnostics& diagnostics) {

@@ -4,7 +4,7 @@
 #include <fca/code.h>
 #include <fca/convert/common_lens.h>
 #include <fca/convert/evaluate.h>
-#include <fca/convert/reach.h>
+#include <fca/convert/max_angle_table.h>
 
 #include <algorithm>
 #include <array>
@@ -19,16 +19,16 @@ namespace {
 constexpr std::size_t kPair = 2;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// A report with the errors of `model`; nullopt, with an error, if the source has no domain.
+/// A report with the errors of `model`; nullopt, with an error, if the source has no field of view.
 std::optional<ConversionReport> report_of(const Camera& source, const CameraModel& model, const ConvertRequest& request,
                                           Diagnostics& diagnostics) {
-  const std::optional<Domain> domain = domain_of(source, request.inputs.max_angle_rad, diagnostics);
-  if (!domain) return std::nullopt;
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(source, request.inputs.max_angle_rad, diagnostics);
+  if (!field_of_view) return std::nullopt;
   ConversionReport report;
   report.from_model = source.lens_id();
   report.to_model = model_info(model).id;
-  report.statistics = evaluate(source.model, model, *domain, {.every_pixel = request.every_pixel});
-  report.scored_to_deg = std::min(domain->max_angle_rad, max_angle(model)) * kDegrees;
+  report.statistics = evaluate(source.model, model, *field_of_view, {.every_pixel = request.every_pixel});
+  report.scored_to_deg = std::min(field_of_view->max_angle_rad, max_angle(model)) * kDegrees;
   return report;
 }
 

@@ -63,7 +63,7 @@ void apply_limits(const ConvertRequest& request, ConvertResult& result) {
     // A missing pixel exceeds every limit.
     constexpr double kNoticeable = 1e-3;
     const double missing = camera.report->statistics.coverage.unrepresentable;
-    if (missing > kNoticeable || (camera.report->fitted_to_cone && missing > 0.0)) {
+    if (missing > kNoticeable || (camera.report->angle_reduced && missing > 0.0)) {
       std::vector<Message> instead;
       if (!request.inputs.lens_circles.empty()) instead.push_back({Code::kInPlaceOfCircle});
       result.diagnostics.add(Code::kMissingBeyondLimit, {camera.source.name, missing, camera.report->to_model,

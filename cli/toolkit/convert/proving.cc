@@ -170,7 +170,7 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
   for (const ConvertedCamera& camera : result.cameras) {
     calibrated.emplace_back().camera = camera.source;
     if (camera.report && camera.report->turn) calibrated.back().T_written_camera = camera.report->turn->T_target_source;
-    const bool has_end = camera.report && camera.report->fitted_to_cone;
+    const bool has_end = camera.report && camera.report->angle_reduced;
     if (has_end) calibrated.back().fitted_to_rad = camera.report->scored_to_deg * std::numbers::pi / 180.0;
   }
   for (const std::string& id : output.programs) {

@@ -18,7 +18,7 @@
 #include "write_rig.h"
 
 #include <fca/code.h>
-#include <fca/convert/reach.h>
+#include <fca/convert/max_angle_table.h>
 #include <fca/convert/uncertainty.h>
 #include <fca/formats/counted_cameras.h>
 
@@ -57,13 +57,13 @@ Rig as_restated(Rig rig, const Written& written) {
 
 /// Adds the table of smaller angles to each fitted camera's report: how good the fit would be if the lens ended earlier. Only
 /// for lenses whose angle no input gives.
-void add_reach(const Format& to, const ModelChoice& choice, std::vector<ConvertedCamera>& cameras) {
+void add_max_angles(const Format& to, const ModelChoice& choice, std::vector<ConvertedCamera>& cameras) {
   parallel_for(cameras.size(), choice.request.jobs, [&](std::size_t i) {
     ConvertedCamera& camera = cameras[i];
     const StoredModel* stored = find_stored_model(to, model_info(camera.target.model).id, false);
     if (!camera.report || camera.report->exact || stored == nullptr) return;
     Diagnostics discarded;
-    camera.report->reach = reach_table(camera.source, options_for(*stored, choice), *camera.report, discarded);
+    camera.report->max_angles = max_angle_table(camera.source, options_for(*stored, choice), *camera.report, discarded);
   });
 }
 
@@ -173,7 +173,7 @@ bool Writing::fit() {
   result_.cameras = *std::move(cameras);
   if (!share_lens(request_, *result_.to, choice_.most_cameras, result_.cameras, result_.diagnostics)) return false;
   if (!fit_as_pair(input_.rig, *result_.to, choice_, result_.cameras, result_.diagnostics)) return false;
-  if (request_.in_detail) add_reach(*result_.to, choice_, result_.cameras);
+  if (request_.in_detail) add_max_angles(*result_.to, choice_, result_.cameras);
   add_uncertainties(input_.rig, request_, result_.cameras);
   return put_together();
 }

@@ -5,8 +5,8 @@
 #include "recovered_images.h"
 #include "sample_sweep.h"
 
-#include <fca/convert/domain.h>
 #include <fca/convert/evaluate.h>
+#include <fca/convert/field_of_view.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,10 +53,10 @@ std::optional<TimedConversion> timed_conversion(const Camera& camera, ConvertOpt
   return TimedConversion{std::move(*evaluated), times[kRuns / 2]};
 }
 
-SampleError error_on_samples(const CameraModel& source, const CameraModel& target, const Domain& domain) {
+SampleError error_on_samples(const CameraModel& source, const CameraModel& target, const FieldOfView& field_of_view) {
   SampleError result;
-  for (const Pixel& pixel : paper::cell_centres(domain.size, paper::kSamples)) {
-    const std::optional<Ray> ray = domain.ray(source, pixel);
+  for (const Pixel& pixel : paper::cell_centres(field_of_view.size, paper::kSamples)) {
+    const std::optional<Ray> ray = field_of_view.ray(source, pixel);
     const std::optional<Pixel> image = ray ? project(target, *ray) : std::nullopt;
     if (!image) continue;
     ++result.count;
@@ -84,13 +84,13 @@ std::optional<EvaluatedRow> evaluate_row(const paper::ConversionTable& table, co
   // As in the paper's toolbox.
   if (const int least = find_model(options.model)->least_degree; least > 0) options.degree = least;
   std::optional<TimedConversion> timed = timed_conversion(source, options, diagnostics);
-  const std::optional<Domain> domain = domain_of(source, options.max_angle_rad, diagnostics);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(source, options.max_angle_rad, diagnostics);
   const CameraModel* truth = paper::calibration_in(table, row.to);
-  if (!timed || !domain || truth == nullptr) return std::nullopt;
+  if (!timed || !field_of_view || truth == nullptr) return std::nullopt;
 
   EvaluatedRow result{row, source.model, std::move(timed->conversion), timed->time_us, {}, 0.0};
   const CameraModel& target = result.conversion.camera.model;
-  result.on_samples = error_on_samples(source.model, target, *domain);
+  result.on_samples = error_on_samples(source.model, target, *field_of_view);
   result.parameter_error = paper::parameter_distance(target, *truth);
   return result;
 }
@@ -138,7 +138,7 @@ std::optional<EvaluatedPolynomials> evaluate_polynomials(Diagnostics& diagnostic
 
   // The paper's samples lie ahead of the camera: z > 0.
   constexpr double kAheadDeg = 90.0;
-  const std::optional<Domain> ahead = domain_of(source, kAheadDeg * kRadiansPerDegree, diagnostics);
+  const std::optional<FieldOfView> ahead = field_of_view_of(source, kAheadDeg * kRadiansPerDegree, diagnostics);
   if (!ahead) return std::nullopt;
   for (const paper::PublishedPolynomial& published : table.methods) {
     EvaluatedPolynomial row;

@@ -2,7 +2,7 @@
 #include "model_advice.h"
 
 #include <fca/code.h>
-#include <fca/convert/reach.h>
+#include <fca/convert/max_angle_table.h>
 
 #include <algorithm>
 #include <cmath>

@@ -16,7 +16,7 @@ namespace internal {
 namespace {
 
 void add_pixels(const Scorer& scorer, Summary& summary) {
-  const ImageSize& size = scorer.domain().size;
+  const ImageSize& size = scorer.field_of_view().size;
   Batch batch;
   batch.weight.fill(1.0);
   batch.spread.fill(0.0);
@@ -51,7 +51,7 @@ void sum_over_pixels(const Scorer& scorer, ErrorStatistics& statistics) {
   constexpr int kBinsPerOctave = 64;
   Summary summary(kBinsPerOctave);
   add_pixels(scorer, summary);
-  const ErrorStatistics pixels = summary.statistics(scorer.domain());
+  const ErrorStatistics pixels = summary.statistics(scorer.field_of_view());
   if (pixels.coverage.scored == 0.0) return;
   const ErrorSummary polished = statistics.error;
   statistics.error = pixels.error;
@@ -72,19 +72,19 @@ Score score_on_lattice(const Scorer& scorer) {
   constexpr int kBinsPerOctave = 64;
   Summary summary(kBinsPerOctave);
   score_lattice(scorer, [&](const Batch& batch, std::size_t count) { summary.add(batch, count); });
-  return {summary.statistics(scorer.domain()), summary.worst()};
+  return {summary.statistics(scorer.field_of_view()), summary.worst()};
 }
 
 Score score_every_pixel(const Scorer& scorer) {
   constexpr int kBinsPerOctave = 1024;  // percentiles to 0.1 %
   Summary summary(kBinsPerOctave);
   add_pixels(scorer, summary);
-  Score score{summary.statistics(scorer.domain()), summary.worst()};
+  Score score{summary.statistics(scorer.field_of_view()), summary.worst()};
   Coverage& coverage = score.statistics.coverage;
   coverage.scored_pixels = summary.count(Verdict::kScored);
   coverage.outside_lens_pixels = summary.count(Verdict::kOutsideLens);
   coverage.unrepresentable_pixels = summary.count(Verdict::kUnrepresentable);
-  // The largest error may lie between pixels, on the edge of a round domain. The lattice has points on that edge.
+  // The largest error may lie between pixels, on the edge of a round field of view. The lattice has points on that edge.
   const std::vector<Point> beside = score_on_lattice(scorer).worst;
   score.worst.insert(score.worst.end(), beside.begin(), beside.end());
   std::ranges::sort(score.worst, std::ranges::greater{}, &Point::error);
@@ -95,7 +95,7 @@ ErrorStatistics evaluate_all(const Scorer& scorer, Score lattice, const Evaluate
   Score score = options.every_pixel ? score_every_pixel(scorer) : std::move(lattice);
   ErrorStatistics& statistics = score.statistics;
   find_maximum(scorer, score.worst, options.bound, statistics);
-  if (!options.every_pixel && is_steep(statistics.error, scorer.domain().size)) sum_over_pixels(scorer, statistics);
+  if (!options.every_pixel && is_steep(statistics.error, scorer.field_of_view().size)) sum_over_pixels(scorer, statistics);
   return std::move(score.statistics);
 }
 
@@ -109,12 +109,14 @@ ErrorStatistics evaluate_all(const internal::Scorer& scorer, const EvaluateOptio
 
 }  // namespace
 
-ErrorStatistics evaluate(const Lens& source, const Projection& target, const Domain& domain, const EvaluateOptions& options) {
-  return evaluate_all(internal::Scorer(source, nullptr, &target, domain, options.target_reach_rad), options);
+ErrorStatistics evaluate(const Lens& source, const Projection& target, const FieldOfView& field_of_view,
+                         const EvaluateOptions& options) {
+  return evaluate_all(internal::Scorer(source, nullptr, &target, field_of_view, options.target_max_angle_rad), options);
 }
 
-ErrorStatistics evaluate(const Lens& source, const CameraModel& target, const Domain& domain, const EvaluateOptions& options) {
-  return evaluate_all(internal::Scorer(source, &target, nullptr, domain, options.target_reach_rad), options);
+ErrorStatistics evaluate(const Lens& source, const CameraModel& target, const FieldOfView& field_of_view,
+                         const EvaluateOptions& options) {
+  return evaluate_all(internal::Scorer(source, &target, nullptr, field_of_view, options.target_max_angle_rad), options);
 }
 
 }  // namespace fca

@@ -28,10 +28,10 @@ double edge_at(double angle) { return angle < std::numbers::pi ? half_sine(std::
 
 LineCutter::LineCutter(const Scorer& scorer)
     : scorer_(scorer),
-      lens_(edge_at(scorer.domain().max_angle_rad)),
-      scored_(std::min(lens_, edge_at(scorer.target_reach_rad()))) {
-  const double last = scorer.domain().max_angle_rad;
-  std::vector<double> angles = {std::min(last, scorer.target_reach_rad()), last};
+      lens_(edge_at(scorer.field_of_view().max_angle_rad)),
+      scored_(std::min(lens_, edge_at(scorer.target_max_angle_rad()))) {
+  const double last = scorer.field_of_view().max_angle_rad;
+  std::vector<double> angles = {std::min(last, scorer.target_max_angle_rad()), last};
   for (double angle = kBandRad; angle < last; angle += kBandRad) angles.push_back(angle);
   radial_ = RadialBorders::of(scorer.source(), angles);
   if (radial_) return;
@@ -100,7 +100,7 @@ void LineCutter::cut_at_radii(const Line& line) {
 }
 
 LineSpan LineCutter::lit_part(const Line& line) const {
-  const std::optional<LensCircle>& circle = scorer_.domain().circle;
+  const std::optional<LensCircle>& circle = scorer_.field_of_view().circle;
   if (!circle) return {0.0, 1.0};
   return LinePast({line.from[0] - circle->centre[0], line.from[1] - circle->centre[1]},
                   {line.to[0] - line.from[0], line.to[1] - line.from[1]})

@@ -26,7 +26,7 @@ Point climb(const Scorer& scorer, const Pixel& start) {
                                                  {-kDiagonal, kDiagonal},
                                                  {kDiagonal, -kDiagonal},
                                                  {-kDiagonal, -kDiagonal}}};
-  const ImageSize& size = scorer.domain().size;
+  const ImageSize& size = scorer.field_of_view().size;
   const Pixel last = {size.width - 1.0, size.height - 1.0};
   Point best = scorer.at(start);
   std::size_t points = 0;
@@ -144,7 +144,7 @@ void climb_edge(const Scorer& scorer, const LensEdge& edge, ErrorStatistics& res
 /// climb_edge() has searched.
 void climb_from(const Scorer& scorer, std::span<const Point> points, std::span<const LensEdge> edges, std::size_t most,
                 ErrorStatistics& result) {
-  const ImageSize& size = scorer.domain().size;
+  const ImageSize& size = scorer.field_of_view().size;
   const double apart = std::max(size.width, size.height) / 20.0;
   std::vector<Pixel> climbed;
   for (const Point& point : points) {
@@ -163,8 +163,8 @@ void climb_from(const Scorer& scorer, std::span<const Point> points, std::span<c
 }  // namespace
 
 /// Climbs along the edges of the scored region, which climb() cannot follow, and from the worst points. The search for the
-/// bound covers the whole domain: the largest error that it meets is at most 1 % below the maximum, and one more climb from
-/// there finds that.
+/// bound covers the whole field of view: the largest error that it meets is at most 1 % below the maximum, and one more climb
+/// from there finds that.
 void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove, ErrorStatistics& result) {
   if (worst.empty()) return;
   constexpr std::size_t kAll = 12;
@@ -178,7 +178,8 @@ void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove
   climb_from(scorer, worst, edges, provable ? kFew : kAll, result);
   if (!provable) return;
   const double climbed = result.error.max;
-  const ErrorBound proof = bound_error(*source, *scorer.target(), scorer.domain(), scorer.target_reach_rad(), climbed);
+  const ErrorBound proof =
+      bound_error(*source, *scorer.target(), scorer.field_of_view(), scorer.target_max_angle_rad(), climbed);
   if (proof.seen > climbed) {
     keep_if_worse(climb(scorer, proof.seen_at), result);
   }

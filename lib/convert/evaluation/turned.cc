@@ -9,9 +9,9 @@
 namespace fca::internal {
 
 ErrorStatistics evaluate_turned(const CameraModel& source, const CameraModel& target, const Transform& T_target_source,
-                                const Domain& domain, double reach_rad, bool every_pixel) {
+                                const FieldOfView& field_of_view, double max_angle_rad, bool every_pixel) {
   const Projection image_of = [&](const Ray& ray) { return project(target, rotated(T_target_source, ray)); };
-  const Scorer scorer{source, nullptr, &image_of, domain, reach_rad};
+  const Scorer scorer{source, nullptr, &image_of, field_of_view, max_angle_rad};
   return evaluate_all(scorer, score_on_lattice(scorer), {every_pixel, false});
 }
 

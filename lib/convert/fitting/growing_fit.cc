@@ -27,7 +27,7 @@ constexpr double kMargin = 1e-6;
 constexpr double kAlmostMargin = 0.5e-6;
 
 /// tan of the samples' largest angle from the axis, increased by 1e-6; infinite if that is 90 degrees or more.
-double reach_of(std::span<const Correspondence> samples) {
+double largest_tangent_of(std::span<const Correspondence> samples) {
   constexpr double kHair = 1.0 + 1e-6;
   double largest = 0.0;
   for (const Correspondence& s : samples) largest = std::max(largest, angle_from_axis(s.ray));
@@ -46,7 +46,7 @@ class Descent {
       : task_(task),
         count_(task.target.parameters().size()),
         limits_(task.target, task.ranges),
-        reach_(reach_of(task.samples)),
+        largest_tangent_(largest_tangent_of(task.samples)),
         jacobian_(task.target),
         at_(start) {
     std::array<bool, kMostParameters> fixed{};
@@ -58,7 +58,9 @@ class Descent {
     jacobian_.reset({task.samples.begin(), task.samples.end()}, fixed);
   }
 
-  [[nodiscard]] bool starts_well() const { return std::isfinite(reach_) && !free_.empty() && grows(at_, kAlmostMargin); }
+  [[nodiscard]] bool starts_well() const {
+    return std::isfinite(largest_tangent_) && !free_.empty() && grows(at_, kAlmostMargin);
+  }
   [[nodiscard]] const ParameterValues& values() const { return at_; }
   [[nodiscard]] int iterations() const { return iterations_; }
 
@@ -72,7 +74,7 @@ class Descent {
 
   [[nodiscard]] bool grows(const ParameterValues& values, double margin) const {
     return std::ranges::all_of(task_.conditions, [&](GrowthCondition condition) {
-      return minima_below(margin, condition, values.data(), reach_).empty();
+      return minima_below(margin, condition, values.data(), largest_tangent_).empty();
     });
   }
 
@@ -92,13 +94,13 @@ class Descent {
     return values;
   }
 
-  /// If the camera's radius turns back before `reach_`, adds planes that exclude this camera, each tangent to a condition at
-  /// one of its minima, and returns true.
+  /// If the camera's radius turns back before `largest_tangent_`, adds planes that exclude this camera, each tangent to a
+  /// condition at one of its minima, and returns true.
   bool cut_off(const ParameterValues& values) {
     constexpr std::size_t kMostPlanes = 200;
     bool turns = false;
     for (const GrowthCondition condition : task_.conditions) {
-      for (const double r : minima_below(kAlmostMargin, condition, values.data(), reach_)) {
+      for (const double r : minima_below(kAlmostMargin, condition, values.data(), largest_tangent_)) {
         ParameterValues derivatives{};
         const double value = condition(values.data(), r, derivatives.data());
         Plane plane{free_of(derivatives.data()), 0.0};
@@ -131,7 +133,7 @@ class Descent {
     return minimise_quadratic(hessian, gradient, normals, offsets);
   }
 
-  /// Like step_among_planes(), but adds planes until the radius grows up to `reach_` at the step's end.
+  /// Like step_among_planes(), but adds planes until the radius grows up to `largest_tangent_` at the step's end.
   [[nodiscard]] std::optional<VectorXd> step_among_growing(const MatrixXd& hessian, const VectorXd& gradient) {
     constexpr int kMostCuts = 40;
     std::optional<VectorXd> step;
@@ -172,7 +174,7 @@ class Descent {
   const GrowingTask& task_;
   std::size_t count_;  ///< Number of parameters.
   FitLimits limits_;
-  double reach_;  ///< The tan of the angle up to which the radius must grow.
+  double largest_tangent_;  ///< The tan of the angle up to which the radius must grow.
   SampleJacobian jacobian_;
   ParameterValues at_;
   std::vector<std::size_t> free_;  ///< Indices of the parameters that may change.

@@ -123,7 +123,7 @@ std::vector<Point> few_of(std::vector<Point> points) {
 std::vector<Point> hilltops(const Scorer& scorer, std::span<const Point> worst_first) {
   constexpr double kHigh = 0.97;  // fraction of the largest error
   constexpr std::size_t kMost = 32;
-  const ImageSize& size = scorer.domain().size;
+  const ImageSize& size = scorer.field_of_view().size;
   const double apart = std::max(size.width, size.height) / 20.0;
   std::vector<Point> tops;
   std::vector<Pixel> known;
@@ -163,8 +163,8 @@ double largest_error(const CameraModel& model, std::span<const Correspondence> p
 
 }  // namespace
 
-MinimaxFit fit_largest_error(const CameraModel& source, const CameraModel& start, const Domain& domain, double target_reach_rad,
-                             std::span<const ParameterRange> ranges) {
+MinimaxFit fit_largest_error(const CameraModel& source, const CameraModel& start, const FieldOfView& field_of_view,
+                             double target_max_angle_rad, std::span<const ParameterRange> ranges) {
   constexpr int kMostExchanges = 12;
   constexpr double kNobodySees = 1e-9;  // px; smaller errors are mostly rounding
   constexpr double kWorthAPoint = 1.0005;
@@ -172,7 +172,7 @@ MinimaxFit fit_largest_error(const CameraModel& source, const CameraModel& start
   std::vector<Correspondence> set;
   double sharpness = kBlunt;
   for (int exchange = 0; exchange <= kMostExchanges; ++exchange) {
-    const Scorer scorer(source, &fit.model, nullptr, domain, target_reach_rad);
+    const Scorer scorer(source, &fit.model, nullptr, field_of_view, target_max_angle_rad);
     const std::vector<Point> points = scored_points(scorer);
     if (points.empty() || points.front().error < kNobodySees) break;
     bool more = set.empty() && add(scorer, few_of(points), 0.0, set);

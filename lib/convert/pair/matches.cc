@@ -21,11 +21,11 @@ Vector3d vector_of(const std::array<double, 3>& ray) { return {ray[0], ray[1], r
 
 /// The camera's pixel of a unit ray; nullopt if that is outside the camera's domain or its fit has no pixel there.
 std::optional<Pixel> counted_pixel(const CameraOfPair& of_pair, const Vector3d& ray) {
-  if (std::atan2(std::hypot(ray[0], ray[1]), ray[2]) > of_pair.domain.max_angle_rad) return std::nullopt;
+  if (std::atan2(std::hypot(ray[0], ray[1]), ray[2]) > of_pair.field_of_view.max_angle_rad) return std::nullopt;
   const Ray direction = {ray[0], ray[1], ray[2]};
   if (!project(*of_pair.start, direction)) return std::nullopt;
   const std::optional<Pixel> pixel = project(of_pair.camera->model, direction);
-  return pixel && of_pair.domain.size.holds(*pixel) && of_pair.domain.is_lit(*pixel) ? pixel : std::nullopt;
+  return pixel && of_pair.field_of_view.size.holds(*pixel) && of_pair.field_of_view.is_lit(*pixel) ? pixel : std::nullopt;
 }
 
 /// The derivatives, by u and v, of the component along `normal` of a pixel's unit ray [1/px]; nullopt if a neighbour has no

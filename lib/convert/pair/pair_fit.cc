@@ -9,8 +9,8 @@
 #include "../fitting/turned_samples.h"
 #include "matches.h"
 
-#include <fca/convert/domain.h>
 #include <fca/convert/evaluate.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/convert/sample.h>
 
 #include <Eigen/Core>
@@ -153,16 +153,17 @@ class Problem {
   std::array<Unknowns, 2> unknowns_;
 };
 
-/// A camera of the pair with its domain, limited to the angles at which its separate fit was scored; nullopt if there is no
-/// domain.
+/// A camera of the pair with its field of view, limited to the angles at which its separate fit was scored; nullopt if there is
+/// no field of view.
 std::optional<CameraOfPair> of_pair(const SeparateFit& fit) {
   constexpr int kSamples = 400;
   Diagnostics discarded;
-  std::optional<Domain> domain = domain_of(fit.source, fit.options.max_angle_rad, discarded);
-  if (!domain) return std::nullopt;
-  const double reach_rad = fit.conversion.report.scored_to_deg * std::numbers::pi / 180.0;
-  domain->max_angle_rad = std::min(domain->max_angle_rad, reach_rad);
-  CameraOfPair camera{&fit.source, &fit.conversion.camera.model, *domain, sample(fit.source.model, *domain, kSamples)};
+  std::optional<FieldOfView> field_of_view = field_of_view_of(fit.source, fit.options.max_angle_rad, discarded);
+  if (!field_of_view) return std::nullopt;
+  const double max_angle_rad = fit.conversion.report.scored_to_deg * std::numbers::pi / 180.0;
+  field_of_view->max_angle_rad = std::min(field_of_view->max_angle_rad, max_angle_rad);
+  CameraOfPair camera{&fit.source, &fit.conversion.camera.model, *field_of_view,
+                      sample(fit.source.model, *field_of_view, kSamples)};
   std::erase_if(camera.samples,
                 [&camera](const Correspondence& each) { return !(each.weight > 0.0) || !project(*camera.start, each.ray); });
   return camera;
@@ -180,17 +181,17 @@ std::optional<PairError> error_of(const std::array<SeparateFit, 2>& fits, const 
 /// image.
 std::optional<Conversion> conversion_to(const SeparateFit& fit, const State& state) {
   Diagnostics discarded;
-  const std::optional<Domain> domain = domain_of(fit.source, fit.options.max_angle_rad, discarded);
-  if (!domain) return std::nullopt;
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(fit.source, fit.options.max_angle_rad, discarded);
+  if (!field_of_view) return std::nullopt;
   const Transform T_target_source = state.turn();
   const bool is_turned = !state.angles.isZero();
   Conversion result = fit.conversion;
   ConversionReport& report = result.report;
-  const double reach_rad = report.scored_to_deg * std::numbers::pi / 180.0;
-  ErrorStatistics statistics =
-      is_turned ? internal::evaluate_turned(fit.source.model, state.model, T_target_source, *domain, reach_rad,
-                                            fit.options.every_pixel)
-                : evaluate(fit.source.model, state.model, *domain, {fit.options.every_pixel, fit.options.bound, reach_rad});
+  const double max_angle_rad = report.scored_to_deg * std::numbers::pi / 180.0;
+  ErrorStatistics statistics = is_turned ? internal::evaluate_turned(fit.source.model, state.model, T_target_source,
+                                                                     *field_of_view, max_angle_rad, fit.options.every_pixel)
+                                         : evaluate(fit.source.model, state.model, *field_of_view,
+                                                    {fit.options.every_pixel, fit.options.bound, max_angle_rad});
   if (!internal::reaches_as_much(report.statistics, statistics)) return std::nullopt;
   if (is_turned) report.turn = AbsorbedTurn{T_target_source, report.statistics.error.rms, report.statistics.error.max};
   report.statistics = std::move(statistics);

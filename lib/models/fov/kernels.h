@@ -31,7 +31,7 @@ struct RayKernel<Fov> {
 template <>
 struct PixelKernel<Fov> {
   double fx, fy, cx, cy, inverse_w, tangent;
-  PixelKernel(const double* p, double /*reach*/)
+  PixelKernel(const double* p, double /*max_angle_rad*/)
       : fx(p[0]), fy(p[1]), cx(p[2]), cy(p[3]), inverse_w(1.0 / p[4]), tangent(2.0 * std::tan(0.5 * p[4])) {}
   PixelOfRay operator()(const UnitRay& ray) const {
     const double r = std::sqrt(ray.x * ray.x + ray.y * ray.y + kTiny);

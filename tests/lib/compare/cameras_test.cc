@@ -75,7 +75,7 @@ TEST(CompareCameras, WithAConversionItIsTheConversionsReport) {
 }
 
 // Beyond the cone to which a model was fitted, convert does not score; whoever compares says where that ends.
-TEST(CompareCameras, OfAConeItIsTheConversionsReportUnderTheConesAngle) {
+TEST(CompareCameras, OfAReducedAngleItIsTheConversionsReportUnderThatAngle) {
   Diagnostics diagnostics;
   ConvertOptions options;
   options.model = "radtan";
@@ -136,9 +136,10 @@ TEST(CompareCameras, TheBestRotationIsFound) {
           return ray ? std::optional(rotated(back, *ray)) : std::nullopt;
         },
         {central_focal_lengths(camera.model), principal_point(camera.model)});
-    const std::optional<Domain> domain = domain_of(lens, *camera.image_size, std::nullopt, "lens", diagnostics);
-    ASSERT_TRUE(domain);
-    const std::optional<Transform> found = internal::best_rotation(lens, camera.model, *domain);
+    const std::optional<FieldOfView> field_of_view =
+        field_of_view_of(lens, *camera.image_size, std::nullopt, "lens", diagnostics);
+    ASSERT_TRUE(field_of_view);
+    const std::optional<Transform> found = internal::best_rotation(lens, camera.model, *field_of_view);
     ASSERT_TRUE(found);
     for (int i = 0; i < 16; ++i)
       EXPECT_NEAR(found->values[static_cast<std::size_t>(i)], R.values[static_cast<std::size_t>(i)], 1e-9) << degrees;
@@ -197,13 +198,14 @@ TEST(CompareCameras, AShiftOfTheProjectionCentreIsFound) {
         T.values = {std::cos(turn),  0, std::sin(turn), 0.004, 0, 1, 0, -0.007,
                     -std::sin(turn), 0, std::cos(turn), 0.011, 0, 0, 0, 1};
         const Lens lens = lens_beside(camera, T, distance_m);
-        const std::optional<Domain> domain = domain_of(lens, *camera.image_size, 60.0 * kRadians, "lens", diagnostics);
-        ASSERT_TRUE(domain);
-        const std::optional<Transform> found = internal::best_rotation(lens, camera.model, *domain, distance_m);
+        const std::optional<FieldOfView> field_of_view =
+            field_of_view_of(lens, *camera.image_size, 60.0 * kRadians, "lens", diagnostics);
+        ASSERT_TRUE(field_of_view);
+        const std::optional<Transform> found = internal::best_rotation(lens, camera.model, *field_of_view, distance_m);
         ASSERT_TRUE(found);
         for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(found->values[i], T.values[i], 1e-6) << distance_m << " " << i;
         // Without a distance, it is all a turn.
-        const std::optional<Transform> rotation = internal::best_rotation(lens, camera.model, *domain);
+        const std::optional<Transform> rotation = internal::best_rotation(lens, camera.model, *field_of_view);
         ASSERT_TRUE(rotation);
         for (const int row : {0, 1, 2}) EXPECT_EQ((*rotation)(row, 3), 0.0);
       }

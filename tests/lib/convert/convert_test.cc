@@ -3,8 +3,8 @@
 
 #include <fca/code.h>
 #include <fca/convert/convert.h>
-#include <fca/convert/domain.h>
 #include <fca/convert/evaluate.h>
+#include <fca/convert/field_of_view.h>
 
 #include <gtest/gtest.h>
 
@@ -164,13 +164,13 @@ TEST(Convert, RadtanIsHeldFromFoldingNoMoreThanItMust) {
 }
 
 // Whatever the angle, up to the whole degree at which the rms passes 1 px.
-TEST(Convert, RadtansConeIsTheLargest) {
+TEST(Convert, RadtansAngleIsTheLargest) {
   const Camera camera = test::make_camera(Intrinsics<Kb4>{{250.0, 250.0, 376.0, 240.0, 0.0, 0.0, 0.0, 0.0}}, {752, 480});
   for (const double degrees : {64.0, 64.25, 64.5, 64.75, 65.0, 65.25, 66.0}) {
     Diagnostics diagnostics;
     const std::optional<Conversion> conversion = to(camera, "radtan", diagnostics, degrees);
     ASSERT_TRUE(conversion);
-    EXPECT_FALSE(conversion->report.fitted_to_cone) << degrees;
+    EXPECT_FALSE(conversion->report.angle_reduced) << degrees;
     EXPECT_EQ(conversion->report.statistics.coverage.unrepresentable, 0.0) << degrees;
     EXPECT_LE(conversion->report.statistics.error.rms, 1.0) << degrees;
   }
@@ -181,20 +181,20 @@ TEST(Convert, RadtansConeIsTheLargest) {
 
 // ds has two bottoms for a lens that sees nearly all around, .1 px deep both: what is best inside an angle is not worse there
 // than what is best inside a wider one.
-TEST(Convert, ANarrowerDomainIsFittedNoWorseThanAWiderOne) {
+TEST(Convert, ANarrowerFieldOfViewIsFittedNoWorseThanAWiderOne) {
   const Camera camera = test::make_camera(Intrinsics<Kb4>{{120.0, 120.0, 376.0, 376.0, 0.0, 0.0, 0.0, 0.0}}, {752, 752});
   for (const double degrees : {148.0, 150.0, 151.0, 152.0, 155.0, 160.0}) {
     Diagnostics diagnostics;
     const std::optional<Conversion> narrow = to(camera, "ds", diagnostics, degrees);
     const std::optional<Conversion> wide = to(camera, "ds", diagnostics, degrees + 1.0);
-    const std::optional<Domain> domain = domain_of(camera, degrees * test::kRadians, diagnostics);
-    ASSERT_TRUE(narrow && wide && domain);
-    const double rms = evaluate(camera.model, wide->camera.model, *domain).error.rms;
+    const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, degrees * test::kRadians, diagnostics);
+    ASSERT_TRUE(narrow && wide && field_of_view);
+    const double rms = evaluate(camera.model, wide->camera.model, *field_of_view).error.rms;
     EXPECT_LE(narrow->report.statistics.error.rms, 1.005 * rms) << degrees;
   }
 }
 
-TEST(Convert, ATargetThatCannotReachTheLensIsFittedToACone) {
+TEST(Convert, ATargetThatCannotReachTheLensIsFittedUpToASmallerAngle) {
   Diagnostics diagnostics;
   const std::optional<Conversion> conversion = to(test::tumvi(), "radtan", diagnostics, 97.5);
   ASSERT_TRUE(conversion);
@@ -206,12 +206,12 @@ TEST(Convert, ATargetThatCannotReachTheLensIsFittedToACone) {
   EXPECT_GE(max_angle(conversion->camera.model), 60.0 * test::kRadians);
 }
 
-TEST(Convert, WithoutConesATargetReachesAllOrNothing) {
-  const auto converted = [](const std::string& model, double degrees, bool cone) {
+TEST(Convert, WithoutReducedAnglesATargetReachesAllOrNothing) {
+  const auto converted = [](const std::string& model, double degrees, bool reduce_angle) {
     ConvertOptions options;
     options.model = model;
     options.max_angle_rad = degrees * test::kRadians;
-    options.cone = cone;
+    options.reduce_angle = reduce_angle;
     Diagnostics diagnostics;
     return convert(test::tumvi(), options, diagnostics);
   };
@@ -226,7 +226,7 @@ TEST(Convert, WithoutConesATargetReachesAllOrNothing) {
   }
 }
 
-TEST(Convert, APlaneGetsAConeWhereverTheLensEndsBeyond) {
+TEST(Convert, APlaneGetsASmallerAngleWhereverTheLensEndsBeyond) {
   // Close to 90 degrees a plane is so large that a camera may be near all samples and a thousand pixels off between the last
   // one and the edge; and a pinhole reaches all, but describes nothing.
   struct Target {
@@ -260,7 +260,7 @@ TEST(Convert, ALensThatFoldsInsideTheImageIsSaid) {
 }
 
 // Whatever angle is asked for: the same cone is the same fit, and no wider one that is asked for outright would be as good.
-TEST(Convert, AConeIsTheBestAndTheLargest) {
+TEST(Convert, AReducedAngleIsTheBestAndTheLargest) {
   std::map<long, double> rms_of_cone;
   for (const double deg : {85.5, 88.75, 89.0, 89.25, 90.0, 97.5}) {
     Diagnostics diagnostics;
@@ -285,7 +285,7 @@ TEST(Convert, AConeIsTheBestAndTheLargest) {
   }
 }
 
-TEST(Convert, ScoredToIsTheDomainOrTheCone) {
+TEST(Convert, ScoredToIsTheFieldOfViewOrTheReducedAngle) {
   Diagnostics diagnostics;
   const std::optional<Conversion> whole = to(test::tumvi(), "eucm", diagnostics, 97.5);
   ASSERT_TRUE(whole);
@@ -299,7 +299,7 @@ TEST(Convert, ScoredToIsTheDomainOrTheCone) {
   const double end = cone->report.scored_to_deg;
   for (const ErrorBand& band : cone->report.statistics.bands) EXPECT_EQ(band.share > 0.0, band.from_deg < end) << band.from_deg;
   // Beyond, nothing was scored: evaluated without a cone there is more.
-  const std::optional<Domain> inside = domain_of(test::tumvi(), end * test::kRadians, diagnostics);
+  const std::optional<FieldOfView> inside = field_of_view_of(test::tumvi(), end * test::kRadians, diagnostics);
   ASSERT_TRUE(inside);
   const ErrorStatistics evaluated = evaluate(test::tumvi().model, cone->camera.model, *inside);
   EXPECT_NEAR(evaluated.coverage.scored, cone->report.statistics.coverage.scored, 1e-3);

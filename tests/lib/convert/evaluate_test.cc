@@ -14,23 +14,23 @@
 namespace fca {
 namespace {
 
-/// Every pixel of the domain, as the definition says; the maximum over every half pixel.
+/// Every pixel of the field of view, as the definition says; the maximum over every half pixel.
 struct BruteForce {
   double rms = 0.0;
   double max = 0.0;
   double share = 0.0;
 };
 
-BruteForce brute_force(const CameraModel& source, const CameraModel& target, const Domain& domain) {
+BruteForce brute_force(const CameraModel& source, const CameraModel& target, const FieldOfView& field_of_view) {
   BruteForce result;
   double inside = 0.0;
   double all = 0.0;
-  for (int j = 0; j <= 2 * (domain.size.height - 1); ++j) {
-    for (int i = 0; i <= 2 * (domain.size.width - 1); ++i) {
+  for (int j = 0; j <= 2 * (field_of_view.size.height - 1); ++j) {
+    for (int i = 0; i <= 2 * (field_of_view.size.width - 1); ++i) {
       const bool whole_pixel = i % 2 == 0 && j % 2 == 0;
       if (whole_pixel) ++all;
       const Pixel pixel = {0.5 * i, 0.5 * j};
-      const std::optional<Ray> ray = domain.ray(source, pixel);
+      const std::optional<Ray> ray = field_of_view.ray(source, pixel);
       if (!ray) continue;
       const std::optional<Pixel> image = project(target, *ray);
       if (!image) continue;
@@ -68,10 +68,10 @@ TEST(Evaluate, AgreesWithEveryPixel) {
     if (c.max_angle_deg) options.max_angle_rad = *c.max_angle_deg * test::kRadians;
     Diagnostics diagnostics;
     const std::optional<Conversion> conversion = convert(c.camera, options, diagnostics);
-    const std::optional<Domain> domain = domain_of(c.camera, options.max_angle_rad, diagnostics);
-    ASSERT_TRUE(conversion && domain);
+    const std::optional<FieldOfView> field_of_view = field_of_view_of(c.camera, options.max_angle_rad, diagnostics);
+    ASSERT_TRUE(conversion && field_of_view);
     const ErrorStatistics& j = conversion->report.statistics;
-    const BruteForce truth = brute_force(c.camera.model, conversion->camera.model, *domain);
+    const BruteForce truth = brute_force(c.camera.model, conversion->camera.model, *field_of_view);
     EXPECT_NEAR(j.error.rms, truth.rms, 0.005 * truth.rms) << c.target;
     // The true maximum lies between half pixels: never below what they show, and not above by more than the error can grow
     // there.
@@ -140,13 +140,13 @@ TEST(Evaluate, TheLatticeStandsForEveryPixel) {
       if (pair.max_angle_deg) options.max_angle_rad = *pair.max_angle_deg * test::kRadians;
       Diagnostics diagnostics;
       const std::optional<Conversion> conversion = convert(pair.camera, options, diagnostics);
-      const std::optional<Domain> domain = domain_of(pair.camera, options.max_angle_rad, diagnostics);
-      ASSERT_TRUE(conversion && domain);
+      const std::optional<FieldOfView> field_of_view = field_of_view_of(pair.camera, options.max_angle_rad, diagnostics);
+      ASSERT_TRUE(conversion && field_of_view);
       const ErrorStatistics& lattice = conversion->report.statistics;
       EvaluateOptions every_pixel;
       every_pixel.every_pixel = true;
       every_pixel.bound = false;
-      const ErrorStatistics pixels = evaluate(pair.camera.model, conversion->camera.model, *domain, every_pixel);
+      const ErrorStatistics pixels = evaluate(pair.camera.model, conversion->camera.model, *field_of_view, every_pixel);
       constexpr double kRounding = 1e-9;  // px: radtan -> mei with xi = 0, and the exact pairs
       if (lattice.error.max <= kRounding) {
         EXPECT_LE(pixels.error.max, kRounding);
@@ -250,18 +250,19 @@ TEST(Evaluate, ErrorsOfACornerAreSummedOverItsPixels) {
 
 // CLI.md promises them, whatever the lens, and however small a part of it is scored.
 TEST(Evaluate, TheLatticeHasFourThousandScoredPoints) {
-  constexpr double kReachesRad[] = {1e-3, 0.05, 0.3, 1.0, std::numbers::pi};
+  constexpr double kMaxAnglesRad[] = {1e-3, 0.05, 0.3, 1.0, std::numbers::pi};
   for (const TablePair& pair : table()) {
     std::optional<double> limit;
     if (pair.max_angle_deg) limit = *pair.max_angle_deg * test::kRadians;
     Diagnostics diagnostics;
-    const std::optional<Domain> domain = domain_of(pair.camera, limit, diagnostics);
-    ASSERT_TRUE(domain);
-    for (const double reach : kReachesRad) {
-      const internal::Scorer scorer(pair.camera.model, &pair.camera.model, nullptr, *domain, reach);
+    const std::optional<FieldOfView> field_of_view = field_of_view_of(pair.camera, limit, diagnostics);
+    ASSERT_TRUE(field_of_view);
+    for (const double max_angle_rad : kMaxAnglesRad) {
+      const internal::Scorer scorer(pair.camera.model, &pair.camera.model, nullptr, *field_of_view, max_angle_rad);
       const std::vector<internal::Point> points = internal::score_lattice(scorer);
       const auto scored = std::ranges::count(points, internal::Verdict::kScored, &internal::Point::verdict);
-      EXPECT_GE(scored, 4000) << points.size() << " points, " << model_info(pair.camera.model).id << " within " << reach;
+      EXPECT_GE(scored, 4000) << points.size() << " points, " << model_info(pair.camera.model).id << " within "
+                              << max_angle_rad;
     }
   }
 }
@@ -274,15 +275,15 @@ TEST(Evaluate, CountsEveryPixel) {
   options.every_pixel = true;
   Diagnostics diagnostics;
   const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
-  const std::optional<Domain> domain = domain_of(camera, options.max_angle_rad, diagnostics);
-  ASSERT_TRUE(conversion && domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, options.max_angle_rad, diagnostics);
+  ASSERT_TRUE(conversion && field_of_view);
   const Coverage& coverage = conversion->report.statistics.coverage;
   long long outside = 0;
-  for (int y = 0; y < domain->size.height; ++y) {
-    for (int x = 0; x < domain->size.width; ++x)
-      outside += !domain->ray(camera.model, {static_cast<double>(x), static_cast<double>(y)});
+  for (int y = 0; y < field_of_view->size.height; ++y) {
+    for (int x = 0; x < field_of_view->size.width; ++x)
+      outside += !field_of_view->ray(camera.model, {static_cast<double>(x), static_cast<double>(y)});
   }
-  const long long pixels = 1LL * domain->size.width * domain->size.height;
+  const long long pixels = 1LL * field_of_view->size.width * field_of_view->size.height;
   EXPECT_EQ(coverage.outside_lens_pixels, outside);
   EXPECT_GT(coverage.scored_pixels, 0);
   EXPECT_GT(coverage.unrepresentable_pixels, 0);
@@ -291,10 +292,10 @@ TEST(Evaluate, CountsEveryPixel) {
 
   // The percentile of all pixels' errors, to the width of a bin.
   std::vector<double> errors;
-  for (int y = 0; y < domain->size.height; ++y) {
-    for (int x = 0; x < domain->size.width; ++x) {
+  for (int y = 0; y < field_of_view->size.height; ++y) {
+    for (int x = 0; x < field_of_view->size.width; ++x) {
       const Pixel pixel = {static_cast<double>(x), static_cast<double>(y)};
-      const std::optional<Ray> ray = domain->ray(camera.model, pixel);
+      const std::optional<Ray> ray = field_of_view->ray(camera.model, pixel);
       const std::optional<Pixel> image = ray ? project(conversion->camera.model, *ray) : std::nullopt;
       if (image) errors.push_back(std::hypot((*image)[0] - pixel[0], (*image)[1] - pixel[1]));
     }
@@ -307,7 +308,7 @@ TEST(Evaluate, CountsEveryPixel) {
   }
 }
 
-// The worst place of a round domain lies on its edge, between pixels.
+// The worst place of a round field of view lies on its edge, between pixels.
 TEST(Evaluate, EveryPixelFindsNoSmallerMaximumThanTheLattice) {
   for (const Camera& camera : {test::lens_220(), test::tumvi()}) {
     for (const char* target : {"rational", "eucm", "ds"}) {
@@ -327,16 +328,16 @@ TEST(Evaluate, EveryPixelFindsNoSmallerMaximumThanTheLattice) {
   }
 }
 
-// A cone between the points of the lattice in which the domain is first looked for.
-TEST(Evaluate, AFewDegreesAreADomain) {
+// A cone between the points of the lattice in which the field of view is first looked for.
+TEST(Evaluate, AFewDegreesAreAFieldOfView) {
   Camera camera = test::tumvi();
   ASSERT_TRUE(set_parameter(camera.model, "cx", 250.2));
   ASSERT_TRUE(set_parameter(camera.model, "cy", 250.2));
   Diagnostics diagnostics;
   constexpr double kAngle = 1.2 * test::kRadians;
-  const std::optional<Domain> domain = domain_of(camera, kAngle, diagnostics);
-  ASSERT_TRUE(domain);
-  EXPECT_EQ(domain->max_angle_rad, kAngle);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, kAngle, diagnostics);
+  ASSERT_TRUE(field_of_view);
+  EXPECT_EQ(field_of_view->max_angle_rad, kAngle);
 }
 
 TEST(Evaluate, SharesAddUpToOne) {
@@ -363,14 +364,14 @@ TEST(Evaluate, SharesAddUpToOne) {
 TEST(Evaluate, AConstantShiftIsMeasuredExactly) {
   const Camera camera = test::kalibr_eucm();
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  ASSERT_TRUE(domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  ASSERT_TRUE(field_of_view);
   const Projection shifted = [&camera](const Ray& ray) -> std::optional<Pixel> {
     const std::optional<Pixel> pixel = project(camera.model, ray);
     if (!pixel) return std::nullopt;
     return Pixel{(*pixel)[0] + 3.0, (*pixel)[1] - 4.0};
   };
-  const ErrorStatistics j = evaluate(camera.model, shifted, *domain);
+  const ErrorStatistics j = evaluate(camera.model, shifted, *field_of_view);
   for (const double value : {j.error.rms, j.error.mean, j.error.p50, j.error.p99, j.error.max}) EXPECT_NEAR(value, 5.0, 1e-9);
 }
 
@@ -379,8 +380,8 @@ TEST(Evaluate, FindsASpikeAtTheEdgeOfTheLens) {
   const Camera camera = test::tumvi();
   Diagnostics diagnostics;
   const double limit = 80.0 * test::kRadians;
-  const std::optional<Domain> domain = domain_of(camera, limit, diagnostics);
-  ASSERT_TRUE(domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, limit, diagnostics);
+  ASSERT_TRUE(field_of_view);
   const Projection target = [&](const Ray& ray) -> std::optional<Pixel> {
     std::optional<Pixel> pixel = project(camera.model, ray);
     const double over = angle_from_axis(ray) - (limit - 0.1 * test::kRadians);
@@ -388,7 +389,7 @@ TEST(Evaluate, FindsASpikeAtTheEdgeOfTheLens) {
     if (pixel && over > 0.0 && std::abs(azimuth - 1.0) < 0.1) (*pixel)[0] += 1000.0 * over * (0.1 - std::abs(azimuth - 1.0));
     return pixel;
   };
-  const ErrorStatistics j = evaluate(camera.model, target, *domain);
+  const ErrorStatistics j = evaluate(camera.model, target, *field_of_view);
   EXPECT_NEAR(j.error.max, 1000.0 * 0.1 * test::kRadians * 0.1, 0.005);
 }
 

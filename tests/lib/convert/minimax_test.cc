@@ -3,7 +3,7 @@
 #include "known_cameras.h"
 
 #include <fca/convert/convert.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 
 #include <gtest/gtest.h>
 
@@ -64,9 +64,11 @@ Conversion converted(const Case& c, Objective objective) {
 std::vector<Correspondence> dense_lattice(const Case& c, const Conversion& conversion) {
   constexpr int kSpacing = 8;  // px
   Diagnostics diagnostics;
-  std::optional<Domain> domain = domain_of(c.camera, options_of(c, Objective::kMax).max_angle_rad, diagnostics);
+  std::optional<FieldOfView> field_of_view =
+      field_of_view_of(c.camera, options_of(c, Objective::kMax).max_angle_rad, diagnostics);
   constexpr double kRounding = 1e-12;
-  domain->max_angle_rad = std::min(domain->max_angle_rad, (1.0 + kRounding) * conversion.report.scored_to_deg * test::kRadians);
+  field_of_view->max_angle_rad =
+      std::min(field_of_view->max_angle_rad, (1.0 + kRounding) * conversion.report.scored_to_deg * test::kRadians);
   std::vector<Correspondence> points;
   const auto side = [](int pixels) {
     std::vector<double> positions;
@@ -76,7 +78,7 @@ std::vector<Correspondence> dense_lattice(const Case& c, const Conversion& conve
   };
   for (const double v : side(c.camera.image_size->height)) {
     for (const double u : side(c.camera.image_size->width)) {
-      const std::optional<Ray> ray = domain->ray(c.camera.model, {u, v});
+      const std::optional<Ray> ray = field_of_view->ray(c.camera.model, {u, v});
       if (ray && project(conversion.camera.model, *ray)) points.push_back({*ray, {u, v}, 1.0});
     }
   }

@@ -2,8 +2,8 @@
 // A pair fitted together against the two separate fits: what stereo feels is computed here without our rectification.
 #include "known_cameras.h"
 
-#include <fca/convert/domain.h>
 #include <fca/convert/evaluate.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/convert/pair_fit.h>
 #include <fca/rig/rotation.h>
 
@@ -192,9 +192,9 @@ double sum_of(const Pair& pair, const std::array<CameraModel, 2>& models) {
   double sum = 0.0;
   for (std::size_t i = 0; i < 2; ++i) {
     Diagnostics diagnostics;
-    const Domain domain = domain_of(pair.cameras.at(i), kWide, diagnostics).value();
+    const FieldOfView field_of_view = field_of_view_of(pair.cameras.at(i), kWide, diagnostics).value();
     const double rms =
-        evaluate(pair.cameras.at(i).model, models.at(i), domain, {.every_pixel = true, .bound = false}).error.rms;
+        evaluate(pair.cameras.at(i).model, models.at(i), field_of_view, {.every_pixel = true, .bound = false}).error.rms;
     sum += rms * rms;
   }
   const PairError error =

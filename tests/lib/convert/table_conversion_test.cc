@@ -88,12 +88,12 @@ TEST(TableConversion, IsAtLeastAsGoodOnTheTableAsTheConversionOfTheCamera) {
   }
 }
 
-TEST(TableConversion, WhatSeesAheadOnlyIsFittedToAConeWithAWarning) {
+TEST(TableConversion, WhatSeesAheadOnlyIsFittedUpToASmallerAngleWithAWarning) {
   const Camera table = as_table(test::lens_220(), 110.0, 60);
   Diagnostics diagnostics;
   const std::optional<Conversion> conversion = convert(table, to("radtan"), diagnostics);
   ASSERT_TRUE(conversion);
-  EXPECT_TRUE(conversion->report.fitted_to_cone);
+  EXPECT_TRUE(conversion->report.angle_reduced);
   EXPECT_TRUE(has(diagnostics, Code::kTargetCannotReach));
   EXPECT_LE(conversion->report.statistics.error.rms, 1.0);
   EXPECT_GT(conversion->report.statistics.coverage.unrepresentable, 0.1);

@@ -4,7 +4,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/convert.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/convert/sample.h>
 #include <fca/rig/rotation.h>
 
@@ -32,9 +32,9 @@ Transform turn_by(double x, double y, double z) {
 /// The camera as a table of rays that another frame sees.
 Camera table_of(const Camera& camera, const Transform& T_frame_camera) {
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, 85.0 * test::kRadians, diagnostics);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, 85.0 * test::kRadians, diagnostics);
   Camera table = camera;
-  table.rays = sample(camera.model, *domain, 600);
+  table.rays = sample(camera.model, *field_of_view, 600);
   for (Correspondence& entry : table.rays) entry.ray = rotated(T_frame_camera, entry.ray);
   table.model = Intrinsics<Pinhole>{{300, 300, principal_point(camera.model)[0], principal_point(camera.model)[1]}};
   return table;

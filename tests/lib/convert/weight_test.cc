@@ -111,7 +111,7 @@ TEST(Weight, EachFitIsTheBestByItsOwn) {
       ASSERT_TRUE(by_pixel && by_angle);
       EXPECT_FALSE(by_pixel->report.weighted);
       ASSERT_TRUE(by_angle->report.weighted);
-      if (by_pixel->report.exact || by_pixel->report.fitted_to_cone || by_angle->report.fitted_to_cone) continue;
+      if (by_pixel->report.exact || by_pixel->report.angle_reduced || by_angle->report.angle_reduced) continue;
       // Of another degree another polynomial is the best.
       if (by_pixel->report.degree != by_angle->report.degree) continue;
       const std::vector<GridPoint> pixels = grid_of(camera, 75.0, WeightKind::kPixel);

@@ -2,7 +2,7 @@
 // Asks the real programs (consumers/) what they make of bytes.
 #pragma once
 
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/pixel_distance.h>
 #include <fca/rig/rig.h>

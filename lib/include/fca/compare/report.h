@@ -45,7 +45,8 @@ struct AngleSummary {
 struct CameraDifference {
   ErrorStatistics statistics;  ///< As of a conversion: pixel -> ray by the reference -> pixel by the other.
   AngleSummary angle;
-  /// No pixel up to that angle from the reference's axis is further off than kSamePx; the domain's angle where none is at all.
+  /// No pixel up to that angle from the reference's axis is further off than kSamePx; the field of view's angle where none is
+  /// at all.
   double same_to_deg = 0.0;
 };
 

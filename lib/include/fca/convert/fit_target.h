@@ -209,8 +209,8 @@ class FitTargetOf : public FitTarget {
   }
 };
 
-/// What of a domain may be out of a model's reach that is said to reach all of it: a model's radius may turn back within a hair
-/// of the edge, where samples of no weight lie. A share of the area.
+/// The share of a field of view's area that a model may miss and still counts as reaching all of it: its radius may turn back
+/// within a hair of the edge, where samples of no weight lie.
 inline constexpr double kVeryEdge = 1e-3;
 
 /// What a fit found.

@@ -17,8 +17,8 @@ namespace fca {
 /// How far `target` is from the table, by the entries' weights; those it has no pixel for are left out. There is no bound.
 [[nodiscard]] ErrorSummary evaluate(std::span<const Correspondence> table, const Projection& target);
 
-/// The same with shares of the table in place of shares of an image, and what ends `domain`.
-[[nodiscard]] ErrorStatistics evaluate_table(std::span<const Correspondence> table, const Domain& domain,
+/// The same with shares of the table in place of shares of an image, and what ends `field_of_view`.
+[[nodiscard]] ErrorStatistics evaluate_table(std::span<const Correspondence> table, const FieldOfView& field_of_view,
                                              const Projection& target);
 
 /// `camera`, whose lens is `projection` and no model of the list, as a table of up to 2,800 rays: about as many from its axis

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "known_cameras.h"
 
-#include <fca/convert/domain.h>
-#include <fca/convert/reach.h>
+#include <fca/convert/field_of_view.h>
+#include <fca/convert/max_angle_table.h>
 
 #include <gtest/gtest.h>
 
@@ -13,19 +13,19 @@
 namespace fca {
 namespace {
 
-TEST(ReachTable, ShowsWhatBlackCornersCost) {
+TEST(MaxAngleTable, ShowsWhatBlackCornersCost) {
   const Camera camera = test::tumvi();
   ConvertOptions options;
   options.model = "eucm";
   Diagnostics diagnostics;
-  const std::vector<ReachRow> table = reach_table(camera, options, diagnostics);
+  const std::vector<MaxAngleRow> table = max_angle_table(camera, options, diagnostics);
   EXPECT_TRUE(diagnostics.entries().empty());
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  ASSERT_TRUE(domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  ASSERT_TRUE(field_of_view);
   ASSERT_GE(table.size(), 4u);
   EXPECT_DOUBLE_EQ(table[0].max_angle_deg, 90.0);
   EXPECT_DOUBLE_EQ(table[1].max_angle_deg, 95.0);
-  EXPECT_DOUBLE_EQ(table.back().max_angle_deg, domain->max_angle_rad / test::kRadians);
+  EXPECT_DOUBLE_EQ(table.back().max_angle_deg, field_of_view->max_angle_rad / test::kRadians);
   for (std::size_t i = 1; i < table.size(); ++i) {
     EXPECT_GT(table[i].max_angle_deg, table[i - 1].max_angle_deg);
     EXPECT_GT(table[i].scored, table[i - 1].scored);
@@ -37,11 +37,11 @@ TEST(ReachTable, ShowsWhatBlackCornersCost) {
   EXPECT_NEAR(table.back().scored, 1.0, 1e-12);
 
   // The report holds the same, if asked to.
-  options.reach = true;
+  options.max_angle_table = true;
   const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
   ASSERT_TRUE(conversion);
-  ASSERT_EQ(conversion->report.reach.size(), table.size());
-  EXPECT_EQ(conversion->report.reach.back().rms_px, table.back().rms_px);
+  ASSERT_EQ(conversion->report.max_angles.size(), table.size());
+  EXPECT_EQ(conversion->report.max_angles.back().rms_px, table.back().rms_px);
   EXPECT_DOUBLE_EQ(conversion->report.statistics.error.rms, table.back().rms_px);
 }
 
@@ -75,7 +75,7 @@ std::vector<double> steps(double from, double to, double step) {
 
 // What does not only see ahead reaches as far as it can, whatever the error; radtan stays under 1 px. (Equidistant, all
 // around.)
-TEST(ReachTable, OnlyWhatSeesAheadOnlyHasALimitOfTheError) {
+TEST(MaxAngleTable, OnlyWhatSeesAheadOnlyHasALimitOfTheError) {
   const Camera camera = test::make_camera(Intrinsics<Kb4>{{100, 100, 319.5, 319.5, 0, 0, 0, 0}}, {640, 640});
   for (const auto& [target, sees_ahead_only] : {std::pair("ucm", false), std::pair("radtan", true)}) {
     ConvertOptions options;
@@ -98,7 +98,7 @@ TEST(ReachTable, OnlyWhatSeesAheadOnlyHasALimitOfTheError) {
   }
 }
 
-TEST(ReachTable, AWiderAngleNeverScoresLess) {
+TEST(MaxAngleTable, AWiderAngleNeverScoresLess) {
   for (const ModelInfo& target : all_models()) {
     for (const Camera& camera : {test::kalibr_ds(), test::euroc(), test::rational_lens()})
       expect_no_loss(camera, target.id, steps(20.0, 60.0, 8.0));
@@ -109,7 +109,7 @@ TEST(ReachTable, AWiderAngleNeverScoresLess) {
 }
 
 // Where a plane gives up, and close to where every plane does.
-TEST(ReachTable, AWiderAngleNeverScoresLessOnAPlane) {
+TEST(MaxAngleTable, AWiderAngleNeverScoresLessOnAPlane) {
   for (const char* target : {"pinhole", "radtan", "rational"}) {
     for (const Camera& camera : {test::tumvi(), test::t265_like(), test::lens_220()}) {
       expect_no_loss(camera, target, steps(20.0, 30.0, 2.0));
@@ -126,9 +126,9 @@ void expect_rows_are_conversions(const Camera& camera, std::string_view target) 
   Diagnostics diagnostics;
   const std::optional<Conversion> whole = convert(camera, options, diagnostics);
   ASSERT_TRUE(whole);
-  const std::vector<ReachRow> table = reach_table(camera, options, whole->report, diagnostics);
+  const std::vector<MaxAngleRow> table = max_angle_table(camera, options, whole->report, diagnostics);
   ASSERT_GE(table.size(), 4u);
-  for (const ReachRow& row : table) {
+  for (const MaxAngleRow& row : table) {
     SCOPED_TRACE(camera.name + " " + std::string(target) + " " + std::to_string(row.max_angle_deg));
     options.max_angle_rad = row.max_angle_deg * test::kRadians;
     const std::optional<Conversion> inside = convert(camera, options, diagnostics);
@@ -142,27 +142,27 @@ void expect_rows_are_conversions(const Camera& camera, std::string_view target) 
   }
   options.max_angle_rad.reset();
   // And so is what is worked out without the conversion at hand.
-  const std::vector<ReachRow> again = reach_table(camera, options, diagnostics);
+  const std::vector<MaxAngleRow> again = max_angle_table(camera, options, diagnostics);
   ASSERT_EQ(again.size(), table.size());
   for (std::size_t i = 0; i < table.size(); ++i) EXPECT_EQ(again[i].rms_px, table[i].rms_px) << target;
 }
 
-TEST(ReachTable, IsOneFitForATargetThatSeesOnlyWhatIsAhead) {
+TEST(MaxAngleTable, IsOneFitForATargetThatSeesOnlyWhatIsAhead) {
   for (const char* target : {"pinhole", "radtan", "rational"}) expect_rows_are_conversions(test::tumvi(), target);
 }
 
-TEST(ReachTable, IsOneFitBeyondTheConeThatATargetDescribes) { expect_rows_are_conversions(test::t265_like(), "ucm"); }
+TEST(MaxAngleTable, IsOneFitBeyondTheAngleThatATargetDescribes) { expect_rows_are_conversions(test::t265_like(), "ucm"); }
 
-TEST(ReachTable, IsEmptyWithoutAChoice) {
+TEST(MaxAngleTable, IsEmptyWithoutAChoice) {
   ConvertOptions options;
   options.model = "eucm";
   Diagnostics diagnostics;
-  EXPECT_TRUE(reach_table(test::kalibr_ds(), options, diagnostics).empty());  // 57 degrees
+  EXPECT_TRUE(max_angle_table(test::kalibr_ds(), options, diagnostics).empty());  // 57 degrees
   options.max_angle_rad = 97.5 * test::kRadians;
-  EXPECT_TRUE(reach_table(test::tumvi(), options, diagnostics).empty());
+  EXPECT_TRUE(max_angle_table(test::tumvi(), options, diagnostics).empty());
   options.max_angle_rad.reset();
   options.model = "no such model";
-  EXPECT_TRUE(reach_table(test::tumvi(), options, diagnostics).empty());
+  EXPECT_TRUE(max_angle_table(test::tumvi(), options, diagnostics).empty());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 
 #include "../../models/kernels/batch.h"
 
@@ -164,7 +164,7 @@ std::optional<double> largest_angle_in(const LensCircle& circle, const Lens& len
   return model_ends ? lens.max_angle_rad() : largest;
 }
 
-/// True if image size and limit allow a domain; otherwise false, with an error.
+/// True if image size and limit allow a field of view; otherwise false, with an error.
 bool is_usable(const ImageSize& size, std::optional<double> limit_rad, const std::string& name, Diagnostics& diagnostics) {
   if (const Message problem = problem_with_image_size(size); problem.is_said()) {
     diagnostics.add(Code::kImageSizeInvalid, {name, problem});
@@ -177,8 +177,8 @@ bool is_usable(const ImageSize& size, std::optional<double> limit_rad, const std
   return true;
 }
 
-std::optional<Domain> domain_within(const Lens& lens, const ImageSize& size, const std::optional<Limit>& given,
-                                    const std::string& name, Diagnostics& diagnostics) {
+std::optional<FieldOfView> field_of_view_within(const Lens& lens, const ImageSize& size, const std::optional<Limit>& given,
+                                                const std::string& name, Diagnostics& diagnostics) {
   const double limit = given ? given->rad : std::numbers::pi;
   const RayLattice rays(lens, {{0.0, 0.0}, {size.width - 1.0, size.height - 1.0}});
   double largest = rays.largest_angle(limit);
@@ -192,52 +192,52 @@ std::optional<Domain> domain_within(const Lens& lens, const ImageSize& size, con
     diagnostics.add(Code::kNoPixelHasARay, {name, size.width, size.height});
     return std::nullopt;
   }
-  Domain domain;
-  domain.size = size;
+  FieldOfView field_of_view;
+  field_of_view.size = size;
   const double model_limit = lens.max_angle_rad();
   if (given && rays.largest_angle(std::numbers::pi) > limit) {
-    domain.max_angle_rad = limit;
-    domain.why = {given->who};
+    field_of_view.max_angle_rad = limit;
+    field_of_view.why = {given->who};
   } else if (!border_is_covered(lens, size)) {
-    domain.max_angle_rad = std::min(model_limit, limit);
-    domain.why = {given && limit < model_limit ? given->who : Code::kFieldOfViewModelEnds};
+    field_of_view.max_angle_rad = std::min(model_limit, limit);
+    field_of_view.why = {given && limit < model_limit ? given->who : Code::kFieldOfViewModelEnds};
   } else {
     // The corners are lattice points, so that this is the image's largest angle. The slack keeps rounding from excluding them.
-    domain.max_angle_rad = std::min(largest * (1.0 + 1e-12), std::numbers::pi);
-    domain.why = {given ? given->kept : Code::kFieldOfViewWholeImage};
+    field_of_view.max_angle_rad = std::min(largest * (1.0 + 1e-12), std::numbers::pi);
+    field_of_view.why = {given ? given->kept : Code::kFieldOfViewWholeImage};
   }
-  return domain;
+  return field_of_view;
 }
 
-/// Restricts the domain to the camera's circle. `limit`: the limit given so far, or null.
-void cut_by_circle(const LensCircle& circle, const Camera& camera, const Limit* limit, Domain& domain) {
+/// Restricts the field of view to the camera's circle. `limit`: the limit given so far, or null.
+void cut_by_circle(const LensCircle& circle, const Camera& camera, const Limit* limit, FieldOfView& field_of_view) {
   const auto is_lit = [&circle](const Pixel& pixel) { return circle.contains(pixel); };
-  if (std::ranges::all_of(corners_of(domain.size), is_lit)) {
-    domain.why = {Code::kFieldOfViewInsideCircle, {circle.why}};
+  if (std::ranges::all_of(corners_of(field_of_view.size), is_lit)) {
+    field_of_view.why = {Code::kFieldOfViewInsideCircle, {circle.why}};
     return;
   }
-  const std::optional<double> largest = largest_angle_in(circle, camera.model, domain.size);
-  domain.circle = circle;
+  const std::optional<double> largest = largest_angle_in(circle, camera.model, field_of_view.size);
+  field_of_view.circle = circle;
   if (!largest) {
-    domain.why = {Code::kFieldOfViewAndInsideCircle, {domain.why, circle.why}};
+    field_of_view.why = {Code::kFieldOfViewAndInsideCircle, {field_of_view.why, circle.why}};
     return;
   }
   constexpr double kSlack = 1.0 + 1e-9;  // rounding must not cut the rim
-  const bool limited = limit != nullptr && domain.max_angle_rad == limit->rad;
-  domain.max_angle_rad = std::min(domain.max_angle_rad, *largest * kSlack);
-  domain.why = limited ? Message{Code::kFieldOfViewAndCircle, {Message{limit->who}, circle.why}} : circle.why;
+  const bool limited = limit != nullptr && field_of_view.max_angle_rad == limit->rad;
+  field_of_view.max_angle_rad = std::min(field_of_view.max_angle_rad, *largest * kSlack);
+  field_of_view.why = limited ? Message{Code::kFieldOfViewAndCircle, {Message{limit->who}, circle.why}} : circle.why;
 }
 
 }  // namespace
 
-std::optional<Ray> Domain::ray(const Lens& source, const Pixel& pixel) const {
+std::optional<Ray> FieldOfView::ray(const Lens& source, const Pixel& pixel) const {
   if (!is_lit(pixel)) return std::nullopt;
   const std::optional<Ray> ray = source.ray(pixel);
   if (!ray || angle_from_axis(*ray) > max_angle_rad) return std::nullopt;
   return ray;
 }
 
-std::optional<Domain> domain_of(const Camera& camera, std::optional<double> limit_rad, Diagnostics& diagnostics) {
+std::optional<FieldOfView> field_of_view_of(const Camera& camera, std::optional<double> limit_rad, Diagnostics& diagnostics) {
   bool usable = true;
   for (const Message& problem : validate(camera.model)) {
     diagnostics.add(Code::kNotACamera, {camera.name, problem});
@@ -251,15 +251,17 @@ std::optional<Domain> domain_of(const Camera& camera, std::optional<double> limi
   if (!is_usable(*camera.image_size, limit_rad, camera.name, diagnostics)) return std::nullopt;
   std::optional<Limit> limit;
   if (limit_rad) limit = as_given(*limit_rad);
-  std::optional<Domain> domain = domain_within(camera.model, *camera.image_size, limit, camera.name, diagnostics);
-  if (domain && camera.lens_circle) cut_by_circle(*camera.lens_circle, camera, limit ? &*limit : nullptr, *domain);
-  return domain;
+  std::optional<FieldOfView> field_of_view =
+      field_of_view_within(camera.model, *camera.image_size, limit, camera.name, diagnostics);
+  if (field_of_view && camera.lens_circle)
+    cut_by_circle(*camera.lens_circle, camera, limit ? &*limit : nullptr, *field_of_view);
+  return field_of_view;
 }
 
-std::optional<Domain> domain_of(const Lens& lens, const ImageSize& size, std::optional<double> limit_rad,
-                                const std::string& name, Diagnostics& diagnostics) {
+std::optional<FieldOfView> field_of_view_of(const Lens& lens, const ImageSize& size, std::optional<double> limit_rad,
+                                            const std::string& name, Diagnostics& diagnostics) {
   if (!is_usable(size, limit_rad, name, diagnostics)) return std::nullopt;
-  return domain_within(lens, size, limit_rad ? std::optional(as_given(*limit_rad)) : std::nullopt, name, diagnostics);
+  return field_of_view_within(lens, size, limit_rad ? std::optional(as_given(*limit_rad)) : std::nullopt, name, diagnostics);
 }
 
 }  // namespace fca
