@@ -49,7 +49,7 @@ std::string_view yaml_header(const text::Document& document) {
 
 }  // namespace
 
-void add_composed_anew(const text::Document& base, const text::Document& fresh, const Message& why, std::vector<Loss>& losses) {
+void add_rewritten(const text::Document& base, const text::Document& fresh, const Message& why, std::vector<Loss>& losses) {
   const Message reason = why.is_said() ? Message{Code::kFileRewrittenBecause, {why}} : Message{Code::kFileRewritten};
   const std::string& name = base.source().name;
   if (holds_comments(base)) losses.push_back(lost(Code::kCommentsOfFileDropped, name, "", {reason}));

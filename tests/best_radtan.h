@@ -168,7 +168,7 @@ class BarrierFit {
     return sum;
   }
 
-  /// A Newton step, halved until it leads down; false at the bottom.
+  /// A Newton step, halved until it leads down; false at the minimum.
   bool descend(double weight, Vector& p) const {
     constexpr double kNothing = 1e-9;
     constexpr double kShortest = 1e-8;

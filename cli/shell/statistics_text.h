@@ -12,7 +12,7 @@
 
 namespace fca::cli {
 
-/// "the lit circle of a.png: centre (255.5, 250.1), radius 240.1 px, 98.2 % of its rim in the image seen, rms 0.3 px"
+/// "the image circle of a.png: centre (255.5, 250.1), radius 240.1 px, 98.2 % of its rim in the image seen, rms 0.3 px"
 [[nodiscard]] std::string circle_in_words(const LensCircle& circle);
 /// "115.3 deg from the axis (230.5 deg in full): the whole image". A lens circle need not lie about the axis: then only how far
 /// it reaches from there, and where it is.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "deduplicate.h"
 #include "exchange.h"
 #include "parts.h"
 #include "subject.h"
 #include "tab_fix.h"
-#include "told_once.h"
 #include "topics.h"
 
 #include <fca/code.h>
@@ -314,7 +314,7 @@ Verdict verdict_on(const CheckReport& report, const Rig* rig, const CheckOptions
 CheckReport check_file(const text::Source& source, const CheckOptions& options) {
   std::optional<Calibration> calibration;
   CheckReport report = looked_at(source, options, calibration);
-  checks::tell_once(report);
+  checks::deduplicate(report);
   // Of a file that cannot be read, that stays the finding.
   const bool is_read = calibration.has_value();
   std::erase_if(report.findings, [&](const Finding& finding) {
@@ -337,7 +337,7 @@ std::vector<Finding> findings_about_meaning(const text::Document& document, cons
   checks::Findings findings(report);
   checks::take_over(diagnostics, document.source(), true, findings);
   checks::run_topics(document, calibration, options, &to, report);
-  checks::tell_once(report);
+  checks::deduplicate(report);
   return std::move(report.findings);
 }
 

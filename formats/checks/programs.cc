@@ -22,7 +22,7 @@ using consumers::Complaint;
 using consumers::Consumer;
 using consumers::ConsumerView;
 
-/// What a program makes of the file in one of its modes.
+/// What a program reads from the file in one of its modes.
 struct Attempt {
   std::string mode;  ///< Empty: it has none.
   ConsumerView view;
@@ -109,7 +109,7 @@ class ProgramsCheck {
     return attempts;
   }
 
-  /// What the program makes of the cameras in the mode that the keys are for.
+  /// What the program reads of the cameras in the mode that the keys are for.
   void prove_meant_mode(const Consumer& program) {
     if (calibration_ == nullptr) return;
     const std::string mode = format_.modes.empty() ? "" : meant_mode(document_);

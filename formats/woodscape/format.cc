@@ -71,7 +71,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (!writable_alone(kFormat, rig, Message{Code::kWoodscapeJsonCentreFromMiddle}, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const std::optional<Rig> old = options.anew ? std::nullopt : there;
+  const std::optional<Rig> old = options.rewrite ? std::nullopt : there;
   Written written;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     const Camera& camera = rig.cameras[i];

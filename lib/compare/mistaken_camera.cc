@@ -17,7 +17,7 @@ namespace fca::internal {
 
 namespace {
 
-/// What the other would be without the slip.
+/// What the other would be without the mistake.
 struct Candidate {
   Code code;
   CameraModel undone;
@@ -146,7 +146,7 @@ void add_other_name(const CameraModel& reference, const CameraModel& other, Cand
 }
 
 /// The lens of the reference, where the other has none.
-void add_left_out(const CameraModel& reference, const CameraModel& other, Candidates& candidates) {
+void add_removed(const CameraModel& reference, const CameraModel& other, Candidates& candidates) {
   const ModelInfo& right = model_info(reference);
   const ModelInfo& wrong = model_info(other);
   if (!right.focal_lengths_first || !wrong.focal_lengths_first) return;
@@ -171,7 +171,7 @@ std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, 
   add_scales(other.model, scale, candidates);
   add_other_orders(other.model, candidates);
   add_other_name(reference.model, other.model, candidates);
-  add_left_out(reference.model, other.model, candidates);
+  add_removed(reference.model, other.model, candidates);
 
   // A guess must come as near as two honest calibrations of one camera rarely do.
   constexpr double kNear = 1.0;

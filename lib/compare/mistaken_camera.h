@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Slips by which a right camera becomes a wrong one.
+// Mistakes by which a right camera becomes a wrong one.
 #pragma once
 
 #include <fca/compare/report.h>
@@ -13,7 +13,7 @@ namespace fca::internal {
 /// An explanation leaves no more than this share of the difference.
 inline constexpr double kExplained = 0.05;
 
-/// The slip that explains how `other` (in the reference's pixels; `scale`: reference's pixels per pixel of its own) differs;
+/// The mistake that explains how `other` (in the reference's pixels; `scale`: reference's pixels per pixel of its own) differs;
 /// nothing where the two are the same or none explains it.
 [[nodiscard]] std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, double scale,
                                                 const CameraDifference& difference, const FieldOfView& field_of_view);

@@ -40,7 +40,7 @@ void warn_of_reduced_angle(const FitTask& task, double max_angle_rad, Diagnostic
 void warn_of_fold(const Camera& camera, const Coverage& coverage, Diagnostics& diagnostics) {
   constexpr double kCorners = 1e-3;
   constexpr double kToThinkOf = 0.01;
-  if (!sees_ahead_only(model_info(camera.model).id) || coverage.outside_lens < kCorners) return;
+  if (!is_perspective(model_info(camera.model).id) || coverage.outside_lens < kCorners) return;
   diagnostics.add(coverage.outside_lens > kToThinkOf ? Severity::kWarning : Severity::kNote, Code::kFoldsInsideImage,
                   {camera.name, max_angle(camera.model) / kRadiansPerDegree, coverage.outside_lens});
 }

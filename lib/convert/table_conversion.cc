@@ -82,7 +82,7 @@ struct TableFit {
 /// True if the fit describes its entries, by the rule in fit_field_of_view.h.
 bool describes(const FittedModel& fit, std::string_view target) {
   constexpr double kLimitRms = 1.0;  // px
-  return fit.reaches_all && (!sees_ahead_only(target) || fit.rms_px <= kLimitRms);
+  return fit.reaches_all && (!is_perspective(target) || fit.rms_px <= kLimitRms);
 }
 
 TableFit fit_table(const Table& table, const LensCentre& centre, const ModelInfo& target, const DegreeRanges& degree,
@@ -91,7 +91,7 @@ TableFit fit_table(const Table& table, const LensCentre& centre, const ModelInfo
   if (!reduce_angle || (whole.model && describes(*whole.model, target.id))) return whole;
   constexpr int kStepDeg = 5;
   const double furthest = largest_angle(table) / kRadiansPerDegree;
-  const double below = sees_ahead_only(target.id) ? std::min(furthest, kAheadDeg) : furthest;
+  const double below = is_perspective(target.id) ? std::min(furthest, kAheadDeg) : furthest;
   for (int deg = static_cast<int>(std::ceil(below / kStepDeg) - 1.0) * kStepDeg; deg >= kStepDeg; deg -= kStepDeg) {
     const double max_angle_rad = deg * kRadiansPerDegree;
     const Table narrower = inside(table, max_angle_rad);

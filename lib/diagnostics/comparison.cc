@@ -41,7 +41,7 @@ std::span<const CodeInfo> comparison_codes() {
       clause(Code::kOnlyPose, "the pose of {0}"),
       clause(Code::kOnlyPoseBetween, "the pose of {0} to {1}"),
 
-      // Slips of the pen, in poses.
+      // Common mistakes, in poses.
       about_poses(error(Code::kPoseHoldsInverse, kInverted,
                         "{0} holds the other direction (its inverse agrees with the other poses)",
                         "invert it: R^T and -R^T t")),

@@ -60,7 +60,7 @@ constexpr CodeInfo misreading(Code code, std::string_view text, std::string_view
           .fix = fix};
 }
 
-/// The same of what a program makes of a file.
+/// The same of what a program reads from a file.
 constexpr CodeInfo about_reader(CodeInfo row) {
   row.about = About::kReader;
   return row;

@@ -156,7 +156,7 @@ TEST(Convert, TheObjectiveMaxCutsTheWorstPixelAndSaysWhatItCosts) {
   EXPECT_GT(after["parameters"]["alpha"].GetDouble(), 0.5) << "what the program demands holds all the same";
 }
 
-// FORMATS.md 3.4: at alpha <= 0.5 both forks reject every point. A source that has it is fitted anew with alpha above.
+// FORMATS.md 3.4: at alpha <= 0.5 both forks reject every point. A source that has it is fitted again with alpha above.
 TEST(Convert, AnEucmWithSmallAlphaIsNotPassedThrough) {
   const TemporaryFolder folder;
   const std::string path = folder.write(

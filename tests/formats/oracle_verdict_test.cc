@@ -66,9 +66,9 @@ TEST(OracleVerdict, ReadyIsWhatTheRealProgramUnderstands) {
   EXPECT_LT(ready, tables) << "real files that their program misreads are among them";
 }
 
-/// The table's camera, written anew for its program, as our imitation reads the new file; nothing where the program misreads
+/// The table's camera, rewritten for its program, as our imitation reads the new file; nothing where the program misreads
 /// the old one.
-std::optional<Case> written_anew(const consumers::Consumer& consumer, const OracleTable& table) {
+std::optional<Case> rewritten_case(const consumers::Consumer& consumer, const OracleTable& table) {
   const std::optional<Case> old = case_of(consumer, table);
   if (!old || old->proof.misread || word_of(old->proof.distance.decisive()) != VerdictWord::kReady) return std::nullopt;
   Rig rig;
@@ -86,17 +86,17 @@ std::optional<Case> written_anew(const consumers::Consumer& consumer, const Orac
 }
 
 // What is written from such a camera and called ready has the pixels that the program computed of the old file.
-TEST(OracleVerdict, WhatIsWrittenAnewAndReadyHasTheProgramsPixels) {
+TEST(OracleVerdict, WhatIsRewrittenAndReadyHasTheProgramsPixels) {
   if (!has_shared()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
   int ready = 0;
   for (const Printed& printed : kPrinted) {
     const consumers::Consumer& consumer = *consumers::find_consumer(printed.program);
     for (const OracleTable& table : oracle_tables(printed.folder, printed.suffix)) {
-      const std::optional<Case> anew = written_anew(consumer, table);
+      const std::optional<Case> rewritten = rewritten_case(consumer, table);
       const std::optional<Case> old = case_of(consumer, table);
-      if (!anew || word_of(anew->proof.distance.decisive()) != VerdictWord::kReady) continue;
-      const OracleDistance real =
-          evaluate(anew->camera, table, old->reader.scale, anew->proof.distance.is_wide, by_reader(anew->reader));
+      if (!rewritten || word_of(rewritten->proof.distance.decisive()) != VerdictWord::kReady) continue;
+      const OracleDistance real = evaluate(rewritten->camera, table, old->reader.scale, rewritten->proof.distance.is_wide,
+                                           by_reader(rewritten->reader));
       ++ready;
       EXPECT_LE(real.rms, kReadyPx) << table.file << " cam" << table.camera;
     }

@@ -145,7 +145,7 @@ void expect_rewritten(const Format& format, const text::Document& document, cons
   const std::optional<Written> written = write_calibration(format, &document, rig, {}, diagnostics);
   checker.expect_reason(written.has_value(), diagnostics, "the edit that changes nothing");
   if (!written) return;
-  // A polynomial that no longer fits the other one is fitted anew, and said.
+  // A polynomial that no longer fits the other one is fitted again, and said.
   if (!written->defaults.empty() || !written->losses.empty()) return;
   const std::string bytes = written->files.empty() ? "" : written->files.front().document.bytes();
   const auto differ = std::ranges::mismatch(bytes, document.source().bytes);

@@ -77,7 +77,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   const bool for_people = !arguments.json && !arguments.sarif;
   ExitCode exit_code = ExitCode::kGood;
   CheckedFiles all;
-  bool is_first_told = true;
+  bool is_first = true;
   if (const std::optional<std::string> problem = problem_with_patterns(arguments.files))
     return console.refuse(ExitCode::kIo, *problem);
   std::vector<FoundFile> files = walk(arguments.files);
@@ -111,9 +111,10 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
     const CheckDetail detail = arguments.quiet     ? CheckDetail::kFindings
                                : arguments.verbose ? CheckDetail::kEverything
                                                    : CheckDetail::kUsual;
-    const std::string text = (is_first_told ? "" : "\n") + check_text(all.files.back(), detail);
-    is_first_told = false;
-    all.files.back().report.is_calibration ? console.say(text, all.files.back().report.verdict.word) : console.say_aside(text);
+    const std::string text = (is_first ? "" : "\n") + check_text(all.files.back(), detail);
+    is_first = false;
+    all.files.back().report.is_calibration ? console.say(text, all.files.back().report.verdict.word)
+                                           : console.print_stderr(text);
   }
   if (all.files.empty()) {
     console.error("no calibration in " + enumerated(arguments.files) + " (" + std::to_string(all.skipped.size()) +
@@ -122,7 +123,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   }
   if (for_people) {
     const std::string summary = check_summary(all);
-    console.say(summary.empty() || is_first_told ? summary : "\n" + summary);
+    console.say(summary.empty() || is_first ? summary : "\n" + summary);
   }
   if (arguments.json) console.out(check_json(all, console));
   if (arguments.sarif) console.out(check_sarif(all));

@@ -18,7 +18,7 @@ namespace fca::cli {
 namespace {
 
 /// " without k3": what the target has no place for, of a model that stays.
-std::string left_out_in_words(const ConvertedCamera& camera) {
+std::string removed_in_words(const ConvertedCamera& camera) {
   const std::span<const Parameter> parameters = model_info(camera.source.model).parameters;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -34,7 +34,7 @@ std::string models_in_words(const ConvertedCamera& camera) {
   const std::string from(camera.source.lens_id());
   const std::string to(camera.target.lens_id());
   if (from == to && camera.source.model == camera.target.model) return from;
-  if (from == to) return from + left_out_in_words(camera);
+  if (from == to) return from + removed_in_words(camera);
   const int degree = camera.report ? camera.report->degree : 0;
   return from + " -> " + to + (degree > 0 ? " of degree " + std::to_string(degree) : "");
 }

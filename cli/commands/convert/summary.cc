@@ -142,7 +142,7 @@ void add_settings(const ConvertResult& outcome, std::vector<SummaryLine>& lines)
   if (!said.empty()) lines.push_back({"set", enumerated(said) + ": no input contains it"});
 }
 
-void add_left_out(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
+void add_removed(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   std::vector<std::string> cameras;
   for (const Loss& loss : outcome.losses) {
     if (same_id(loss.kind, Code::kOrbslam3ThirdCameraDropped)) cameras.push_back(loss.owner);
@@ -264,7 +264,7 @@ std::string summary_lines(const ConvertResult& outcome, bool is_short) {
   add_given_lens(outcome, lines);
   add_other_writings(outcome, lines);
   add_better_ways(outcome, lines);
-  add_left_out(outcome, lines);
+  add_removed(outcome, lines);
   add_settings(outcome, lines);
   if (is_short) add_bands(outcome, lines);
   std::string text = summary_text(lines);

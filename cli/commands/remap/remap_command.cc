@@ -125,7 +125,7 @@ ExitCode tell(const RemapArguments& arguments, const Remapping& done, const Cons
   const bool wrote_parts = !arguments.map.empty() || !arguments.mask.empty();
   const bool made = wrote_parts || done.images.empty() || std::ranges::any_of(done.images, &is_written);
   const std::string text = (made ? view_text(arguments, done.result) : "") + images_text(arguments, done);
-  arguments.output.kind == OutputPlace::Kind::kStandardOutput ? console.say_aside(text) : console.say(text);
+  arguments.output.kind == OutputPlace::Kind::kStandardOutput ? console.print_stderr(text) : console.say(text);
   return code;
 }
 

@@ -157,9 +157,9 @@ std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, 
   const std::string_view model = camera.lens_id();
   if (!camera.rays.empty() && !choice.request.inputs.change.changes_nothing()) return std::nullopt;
   if (!choice.same_format || find_stored_model(format, model, false) != nullptr) return std::nullopt;
-  StoredModel as_read;
-  as_read.model = model;
-  return as_read;
+  StoredModel stored;
+  stored.model = model;
+  return stored;
 }
 
 /// The share of the image that lies 90 degrees or more from the axis, summed over the images.
@@ -199,7 +199,7 @@ bool surely_loses(const std::vector<Camera>& cameras, const StoredModel& stored,
   });
 }
 
-/// Fits all cameras with the best model that may be chosen. A model that sees only ahead is not tried if another covers what is
+/// Fits all cameras with the best model that may be chosen. A perspective model is not tried if another covers what is
 /// behind, and not fitted up to a smaller angle if another is good everywhere: that fit is the slowest of all.
 /// A model is not fitted at all if none of its cameras can be as good as a fit that is good everywhere.
 std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>& cameras, const Format& format,
@@ -227,7 +227,7 @@ std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>
     behind = std::max(behind, share_behind(*candidate.outcomes));
   };
   for (Candidate& candidate : candidates) {
-    if (!sees_ahead_only(candidate.stored->model)) try_out(candidate);
+    if (!is_perspective(candidate.stored->model)) try_out(candidate);
   }
   const auto is_hopeless = [&](const Candidate& candidate) {
     return next.partial == Partial::kNothing && std::ranges::any_of(candidates, [&](const Candidate& other) {

@@ -38,7 +38,7 @@ bool share_lens(const ConvertRequest& request, const Format& to, std::size_t hel
                 Diagnostics& diagnostics) {
   if (!request.layout || to.common_lens_layout.empty() || request.layout->name() != to.common_lens_layout) return true;
   const auto is_fisheye = [](const ConvertedCamera& camera) {
-    return camera.source.rays.empty() && !sees_ahead_only(model_info(camera.target.model).id);
+    return camera.source.rays.empty() && !is_perspective(model_info(camera.target.model).id);
   };
   const bool is_pair = std::min(held, cameras.size()) >= kPair &&
                        std::all_of(cameras.begin(), cameras.begin() + kPair, is_fisheye) &&

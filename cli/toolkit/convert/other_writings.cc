@@ -212,7 +212,7 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
   if (!choice.is_good() && request.model == nullptr) {
     for (const std::string_view layout : choice.layouts_left()) {
       for (const StoredModel& stored : result.to->models) {
-        if (!stored.stock || (is_wide && sees_ahead_only(stored.model))) continue;
+        if (!stored.stock || (is_wide && is_perspective(stored.model))) continue;
         if (!layout_stores(*result.to, layout, stored.model)) continue;
         other.layout = FormatLayout::find(*result.to, layout);
         other.model = find_model(stored.model);

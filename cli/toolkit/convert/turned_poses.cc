@@ -27,8 +27,7 @@ void turn_poses(const std::vector<ConvertedCamera>& cameras, Rig& rig) {
   }
 }
 
-void tell_of_turns(const std::vector<PoseEdge>& written, const std::vector<ConvertedCamera>& cameras,
-                   Diagnostics& diagnostics) {
+void report_turns(const std::vector<PoseEdge>& written, const std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics) {
   for (const ConvertedCamera& camera : cameras) {
     if (!camera.report) continue;
     const std::string& name = camera.target.name;

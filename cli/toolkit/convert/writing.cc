@@ -212,7 +212,7 @@ bool Writing::place() {
   result_.headline = written_.headline;
   result_.mode = written_.sensor;
   result_.poses = written_.poses;
-  tell_of_turns(result_.poses, result_.cameras, result_.diagnostics);
+  report_turns(result_.poses, result_.cameras, result_.diagnostics);
   result_.losses = written_.losses;
   result_.defaults = written_.defaults;
   for (const Written::File& file : written_.files) {

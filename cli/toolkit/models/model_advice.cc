@@ -101,7 +101,7 @@ Message better_models(const Camera& camera, const ConversionReport& report, cons
     const bool may_be_chosen = choice.among.empty() || std::ranges::find(choice.among, model.id) != choice.among.end();
     if (stored != nullptr && may_be_chosen) {
       read.push_back(*stored);
-    } else if (!sees_ahead_only(model.id)) {
+    } else if (!is_perspective(model.id)) {
       elsewhere.emplace_back().model = model.id;
     }
   }

@@ -71,7 +71,7 @@ void LineCutter::look_along(std::span<const Line> lines) {
 std::span<const LineCutter::Piece> LineCutter::pieces(std::size_t i, const Line& line) {
   pieces_.clear();
   begin_ = 0.0;
-  lit_ = lit_part(line);
+  lit_ = part_in_circle(line);
   if (radial_) {
     cut_at_radii(line);
     return pieces_;
@@ -99,7 +99,7 @@ void LineCutter::cut_at_radii(const Line& line) {
   for (const double place : places_) add_piece(place, scored.holds(0.5 * (begin_ + place)));
 }
 
-LineSpan LineCutter::lit_part(const Line& line) const {
+LineSpan LineCutter::part_in_circle(const Line& line) const {
   const std::optional<LensCircle>& circle = scorer_.field_of_view().circle;
   if (!circle) return {0.0, 1.0};
   return LinePast({line.from[0] - circle->centre[0], line.from[1] - circle->centre[1]},

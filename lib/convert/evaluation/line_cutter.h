@@ -36,7 +36,7 @@ class LineCutter {
  private:
   static constexpr std::size_t kSteps = 12;
 
-  [[nodiscard]] LineSpan lit_part(const Line& line) const;
+  [[nodiscard]] LineSpan part_in_circle(const Line& line) const;
   [[nodiscard]] double ask(const Pixel& pixel) const;
 
   /// Cuts a line by the closed form of RadialBorders, which must exist.

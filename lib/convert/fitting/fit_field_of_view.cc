@@ -134,7 +134,7 @@ class PlainerFit {
 bool describes(const FitTask& task, const FieldOfViewFit& fit, PlainerFit& plainer) {
   constexpr double kLimitRms = 1.0;  // px
   if (!reaches(fit)) return false;
-  return !sees_ahead_only(task.target.id) || (fit.rms_px <= kLimitRms && !plainer.is_better_than(fit));
+  return !is_perspective(task.target.id) || (fit.rms_px <= kLimitRms && !plainer.is_better_than(fit));
 }
 
 /// The fit up to that angle from the axis, scored inside it.
@@ -187,10 +187,10 @@ bool too_few(std::size_t samples, const ModelInfo& target) { return 2 * samples 
 
 FieldOfViewFit fit_field_of_view(const FitTask& task) {
   const double angle = task.field_of_view.max_angle_rad;
-  const bool ahead_only = sees_ahead_only(task.target.id);
+  const bool perspective = is_perspective(task.target.id);
   PlainerFit plainer(task);
   FieldOfViewFit result;
-  if (!ahead_only || angle < kAhead) {
+  if (!perspective || angle < kAhead) {
     result = fit_and_score(task);
     if (too_few(result.fitted.samples, task.target) || describes(task, result, plainer)) {
       result.time += plainer.time();
@@ -201,7 +201,7 @@ FieldOfViewFit fit_field_of_view(const FitTask& task) {
     result.fitted.model.reset();
     return result;
   }
-  FieldOfViewFit narrower = fit_largest_angle(task, ahead_only ? std::min(angle, kAhead) : angle, plainer);
+  FieldOfViewFit narrower = fit_largest_angle(task, perspective ? std::min(angle, kAhead) : angle, plainer);
   const Micros time = result.time + narrower.time + plainer.time();
   if (narrower.fitted.model && (!reaches(result) || describes(task, narrower, plainer))) {
     result = std::move(narrower);

@@ -50,7 +50,7 @@ struct FieldOfViewFit {
 /// more samples help.
 ///
 /// "Describes" means the same for the whole field of view and for a smaller angle, of which the largest described one is taken:
-/// - A model that sees only what is ahead (pinhole, radtan, rational) must have a pixel for every ray and an rms of at most
+/// - A perspective model (pinhole, radtan, rational) must have a pixel for every ray and an rms of at most
 ///   1 px. Its error grows without limit towards 90 degrees, so that beyond some angle it would spoil the whole fit for the
 ///   sake of the edge. If it has a coefficient that may bend its radius back (radtan's k3), it must also be at least as good as
 ///   the fit without that coefficient, inside that fit's angle.

@@ -145,11 +145,11 @@ std::optional<FittedModel> grow(std::string_view id, ParameterId bends, std::spa
 
 }  // namespace
 
-bool sees_ahead_only(std::string_view id) {
+bool is_perspective(std::string_view id) {
   bool result = false;
   ModelList::for_each([&]<CameraModelType M>() {
-    if constexpr (requires { M::kAheadOnly; }) {
-      if (M::kId == id) result = M::kAheadOnly;
+    if constexpr (requires { M::kPerspective; }) {
+      if (M::kId == id) result = M::kPerspective;
     }
   });
   return result;

@@ -40,7 +40,7 @@ enum class MustReach : std::uint8_t {
                                                    MustReach must_reach = MustReach::kAlmostAll);
 
 /// True if no camera of that model has pixels for rays at 90 degrees or more from the axis.
-[[nodiscard]] bool sees_ahead_only(std::string_view id);
+[[nodiscard]] bool is_perspective(std::string_view id);
 
 /// True if a camera of that model can have a pole inside its image: an angle near which its pixels go to infinity.
 [[nodiscard]] bool has_poles(std::string_view id);

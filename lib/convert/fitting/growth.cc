@@ -46,7 +46,7 @@ double other_azimuths(const double* p, double r, double* derivatives) {
 
 /// The minimum of a function that has one local minimum between `low` and `high`, by golden-section search.
 template <class Function>
-double bottom_between(double low, double high, const Function& value_at) {
+double minimum_between(double low, double high, const Function& value_at) {
   constexpr int kSections = 60;
   constexpr double kGoldenRatio = 0.6180339887498949;
   double left = high - kGoldenRatio * (high - low);
@@ -85,7 +85,7 @@ std::vector<double> minima_below(double limit, GrowthCondition condition, const 
   for (int i = 0; i <= kSteps; ++i) {
     const double here = value_at(place(i));
     if (here > limit + kNear || value_at(place(i - 1)) < here || value_at(place(i + 1)) < here) continue;
-    double lowest = bottom_between(place(i - 1), place(i + 1), value_at);
+    double lowest = minimum_between(place(i - 1), place(i + 1), value_at);
     // At an end of the interval the minimum may be the end itself.
     if (here < value_at(lowest)) lowest = place(i);
     if (value_at(lowest) < limit) minima.push_back(lowest);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "polisher.h"
 
-#include "products.h"
+#include "normal_equations.h"
 #include "projected.h"
 
 #include <algorithm>
@@ -109,24 +109,24 @@ void Polisher::refine(Candidate& candidate, const Effort& effort, std::span<doub
   constexpr int kMostRounds = 8;
   for (int round = 0; round < kMostRounds && candidate.cost > kExactCost; ++round) {
     if (!jacobian_.compute_jacobian(merged(candidate, free.data()))) return;
-    orthonormal_.reset(jacobian_.rows(), jacobian_.columns().size());
-    for (const Column& column : jacobian_.columns()) orthonormal_.add(column.data);
+    qr_.reset(jacobian_.rows(), jacobian_.columns().size());
+    for (const Column& column : jacobian_.columns()) qr_.add(column.data);
     ParameterValues centre{};
     std::ranges::copy(free, centre.begin());
     const auto free_at = [&](const double* y) {
       ParameterValues values = centre;
-      orthonormal_.step(y, values.data());
+      qr_.step(y, values.data());
       return values;
     };
     const Evaluate evaluate_at = [&](const double* y, NormalEquations& sums) {
       const ParameterValues values = merged(candidate, free_at(y).data());
       if (sums.gradient.empty()) return jacobian_.evaluate(values, sums);
       if (!jacobian_.compute_jacobian(values)) return false;
-      orthonormal_.transform(jacobian_.columns(), moved_);
+      qr_.transform(jacobian_.columns(), moved_);
       const Column r = jacobian_.residuals();
-      products(std::span(&r, 1), r, &sums.cost);
-      products(orthonormal_.columns(moved_), r, sums.gradient.data());
-      products(orthonormal_.columns(moved_), sums.hessian.data());
+      dot_products(std::span(&r, 1), r, &sums.cost);
+      dot_products(qr_.columns(moved_), r, sums.gradient.data());
+      dot_products(qr_.columns(moved_), sums.hessian.data());
       return true;
     };
     ParameterValues y{};

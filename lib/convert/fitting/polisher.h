@@ -5,7 +5,7 @@
 
 #include "fit_limits.h"
 #include "minimise.h"
-#include "orthonormal.h"
+#include "qr_decomposition.h"
 #include "sample_jacobian.h"
 
 #include <fca/convert/fit_target.h>
@@ -63,8 +63,8 @@ class Polisher {
   std::size_t count_;  ///< Number of parameters.
   SampleJacobian jacobian_;
   std::vector<std::array<double, 2>> pixels_;
-  std::vector<double> moved_;  ///< The Jacobian in the coordinates of orthonormal_.
-  Orthonormal orthonormal_;
+  std::vector<double> moved_;  ///< The Jacobian in the coordinates of qr_.
+  QrDecomposition qr_;
   FitLimits limits_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "projected.h"
 
-#include "products.h"
+#include "normal_equations.h"
 
 #include <algorithm>
 #include <limits>
@@ -19,7 +19,7 @@ bool Projected::Coordinate::look_at(SampleJacobian& jacobian, std::size_t axis) 
   add(all[axis]);
   add(all[axis + 2]);
   add(jacobian.residuals());
-  products(std::span(columns).first(count), sums_.data());
+  dot_products(std::span(columns).first(count), sums_.data());
   return solve();
 }
 

@@ -28,10 +28,10 @@ bool SampleJacobian::evaluate(const ParameterValues& values, NormalEquations& su
   // The solver needs the derivatives where it has just needed the cost: cheap ones are computed at once and kept.
   if (!(with_derivatives || target_.cheap_derivatives() ? compute_jacobian(values) : compute_residuals(values))) return false;
   const Column r = residuals();
-  products(std::span(&r, 1), r, &sums.cost);
+  dot_products(std::span(&r, 1), r, &sums.cost);
   if (with_derivatives) {
-    products(columns_, r, sums.gradient.data());
-    products(columns_, sums.hessian.data());
+    dot_products(columns_, r, sums.gradient.data());
+    dot_products(columns_, sums.hessian.data());
   }
   return true;
 }

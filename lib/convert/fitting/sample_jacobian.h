@@ -3,7 +3,7 @@
 #pragma once
 
 #include "minimise.h"
-#include "products.h"
+#include "normal_equations.h"
 
 #include <fca/convert/fit_target.h>
 

@@ -7,7 +7,7 @@
 // residuals are neglected.
 #pragma once
 
-#include "products.h"
+#include "normal_equations.h"
 
 #include <cstddef>
 #include <span>

@@ -60,7 +60,7 @@ std::vector<MaxAngleRow> rows(const Camera& camera, const ConvertOptions& option
   // that is smaller than the angle, the fit does not depend on the angle, and need not be made again.
   const auto is_same_fit = [&](double angle_rad) {
     if (whole == nullptr || whole->exact) return false;
-    if (internal::sees_ahead_only(whole->to_model)) return true;
+    if (internal::is_perspective(whole->to_model)) return true;
     return whole->angle_reduced && angle_rad > whole->scored_to_deg * kRadiansPerDegree + kHair;
   };
   std::vector<MaxAngleRow> table;
@@ -78,7 +78,7 @@ std::vector<MaxAngleRow> rows(const Camera& camera, const ConvertOptions& option
 
 }  // namespace
 
-bool sees_ahead_only(std::string_view model_id) { return internal::sees_ahead_only(model_id); }
+bool is_perspective(std::string_view model_id) { return internal::is_perspective(model_id); }
 
 std::vector<MaxAngleRow> max_angle_table(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics) {
   const std::optional<FieldOfView> field_of_view = wide_field_of_view(camera, options, diagnostics);

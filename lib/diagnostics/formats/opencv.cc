@@ -120,7 +120,7 @@ std::span<const CodeInfo> opencv_codes() {
            "the keys of the base file hold one image size for both cameras, and theirs differ",
            "the layout cameras has a size for each"),
 
-      // Written: why a file is composed anew.
+      // Written: why a file is rewritten.
       clause(Code::kOpencvOtherCameras, "its cameras are other ones"),
       clause(Code::kOpencvKeysCannotHoldModel, "its keys cannot hold the model {0}"),
       clause(Code::kOpencvOneKind, "its cameras must be of one kind"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What OpenCV's functions make of a file. {0} is what is spoken of, "camera_0.camera_matrix"; of sizes rows come first.
+// What OpenCV's functions read from a file. {0} is what is spoken of, "camera_0.camera_matrix"; of sizes rows come first.
 #include "../rows.h"
 #include "../topics.h"
 

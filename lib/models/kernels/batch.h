@@ -11,7 +11,7 @@
 
 namespace fca::internal {
 
-/// What a pair of models makes of a pixel.
+/// What a pair of models computes for a pixel.
 enum class Verdict : std::uint8_t { kOutsideLens, kUnrepresentable, kScored };
 
 struct Point {

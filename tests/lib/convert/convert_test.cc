@@ -179,7 +179,7 @@ TEST(Convert, RadtansAngleIsTheLargest) {
   EXPECT_NEAR(whole->report.scored_to_deg, 66.0, 1e-9);
 }
 
-// ds has two bottoms for a lens that sees nearly all around, .1 px deep both: what is best inside an angle is not worse there
+// ds has two minima for a lens that sees nearly all around, .1 px deep both: what is best inside an angle is not worse there
 // than what is best inside a wider one.
 TEST(Convert, ANarrowerFieldOfViewIsFittedNoWorseThanAWiderOne) {
   const Camera camera = test::make_camera(Intrinsics<Kb4>{{120.0, 120.0, 376.0, 376.0, 0.0, 0.0, 0.0, 0.0}}, {752, 752});
@@ -387,8 +387,8 @@ TEST(Convert, EverythingButTheModelIsKept) {
 }
 
 TEST(Convert, RandomDoubleSpheresAreFoundAgainToAHundredthOfAPixel) {
-  // No far basin: the pixels of a ds, through a kb4 that describes them at least as well, lead back to a ds. (convert() itself
-  // would copy a ds.) Valleys near the singular ridge xi = 0 end at errors below a thousandth of a pixel.
+  // No far local minimum: the pixels of a ds, through a kb4 that describes them at least as well, lead back to a ds. (convert()
+  // itself would copy a ds.) Valleys near the singular ridge xi = 0 end at errors below a thousandth of a pixel.
   constexpr double kHundredth = 0.01;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> alpha(0.4, 0.75);

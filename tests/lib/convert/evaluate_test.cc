@@ -59,9 +59,9 @@ TEST(Evaluate, AgreesWithEveryPixel) {
                                    {test::lens_220(), 110.0, "ds"},
                                    {test::kalibr_ds(), {}, "radtan"},
                                    // circles inside the image, cut by its border, and with a cone that cuts both
-                                   {test::lit_in(test::tumvi(), {230.0, 275.0}, 215.0), {}, "eucm"},
-                                   {test::lit_in(test::kalibr_ds(), {420.0, 200.0}, 300.0), {}, "kb4"},
-                                   {test::lit_in(test::tumvi(), {200.0, 260.0}, 220.0), 80.0, "ucm"}};
+                                   {test::with_image_circle(test::tumvi(), {230.0, 275.0}, 215.0), {}, "eucm"},
+                                   {test::with_image_circle(test::kalibr_ds(), {420.0, 200.0}, 300.0), {}, "kb4"},
+                                   {test::with_image_circle(test::tumvi(), {200.0, 260.0}, 220.0), 80.0, "ucm"}};
   for (const Case& c : cases) {
     ConvertOptions options;
     options.model = c.target;

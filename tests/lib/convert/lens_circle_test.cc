@@ -20,7 +20,7 @@ std::optional<Conversion> converted(const Camera& camera, std::string model, std
   return convert(camera, options, diagnostics);
 }
 
-Camera eccentric() { return test::lit_in(test::tumvi(), {215.0, 270.0}, 210.0); }
+Camera eccentric() { return test::with_image_circle(test::tumvi(), {215.0, 270.0}, 210.0); }
 
 TEST(LensCircle, ThePixelsInItAreTheFieldOfView) {
   const Camera camera = eccentric();
@@ -56,7 +56,7 @@ TEST(LensCircle, ItsLargestAngleIsThatOfItsFurthestPixel) {
 }
 
 TEST(LensCircle, NeedsNotHoldThePrincipalPoint) {
-  const Camera camera = test::lit_in(test::tumvi(), {60.0, 60.0}, 10.0);
+  const Camera camera = test::with_image_circle(test::tumvi(), {60.0, 60.0}, 10.0);
   for (const char* target : {"ucm", "eucm", "ds", "mei", "ocamcalib"}) {
     const std::optional<Conversion> conversion = converted(camera, target);
     ASSERT_TRUE(conversion) << target;
@@ -90,7 +90,7 @@ TEST(LensCircle, AFitToItIsTheBestInIt) {
 
 TEST(LensCircle, AroundTheAxisItIsAMaxAngle) {
   const Camera tumvi = test::tumvi();
-  const Camera camera = test::lit_in(tumvi, principal_point(tumvi.model), 200.0);
+  const Camera camera = test::with_image_circle(tumvi, principal_point(tumvi.model), 200.0);
   Diagnostics diagnostics;
   const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
   ASSERT_TRUE(field_of_view);
@@ -106,7 +106,7 @@ TEST(LensCircle, AroundTheAxisItIsAMaxAngle) {
 
 TEST(LensCircle, OneAroundTheWholeImageCutsNothing) {
   const Camera tumvi = test::tumvi();
-  const Camera camera = test::lit_in(tumvi, {240.0, 260.0}, 1000.0);
+  const Camera camera = test::with_image_circle(tumvi, {240.0, 260.0}, 1000.0);
   const std::optional<Conversion> lit = converted(camera, "eucm");
   const std::optional<Conversion> whole = converted(tumvi, "eucm");
   ASSERT_TRUE(lit && whole);

@@ -75,9 +75,9 @@ std::vector<double> steps(double from, double to, double step) {
 
 // What does not only see ahead reaches as far as it can, whatever the error; radtan stays under 1 px. (Equidistant, all
 // around.)
-TEST(MaxAngleTable, OnlyWhatSeesAheadOnlyHasALimitOfTheError) {
+TEST(MaxAngleTable, OnlyAPerspectiveModelHasALimitOfTheError) {
   const Camera camera = test::make_camera(Intrinsics<Kb4>{{100, 100, 319.5, 319.5, 0, 0, 0, 0}}, {640, 640});
-  for (const auto& [target, sees_ahead_only] : {std::pair("ucm", false), std::pair("radtan", true)}) {
+  for (const auto& [target, is_perspective] : {std::pair("ucm", false), std::pair("radtan", true)}) {
     ConvertOptions options;
     options.model = target;
     options.bound = false;
@@ -88,7 +88,7 @@ TEST(MaxAngleTable, OnlyWhatSeesAheadOnlyHasALimitOfTheError) {
       return id_of(entry) == "target-cannot-reach";
     })) << target;
     const ConversionReport& report = conversion->report;
-    if (sees_ahead_only) {
+    if (is_perspective) {
       EXPECT_LE(report.statistics.error.rms, 1.0);
     } else {
       EXPECT_GT(report.statistics.error.rms, 1.0) << target;
@@ -147,7 +147,7 @@ void expect_rows_are_conversions(const Camera& camera, std::string_view target) 
   for (std::size_t i = 0; i < table.size(); ++i) EXPECT_EQ(again[i].rms_px, table[i].rms_px) << target;
 }
 
-TEST(MaxAngleTable, IsOneFitForATargetThatSeesOnlyWhatIsAhead) {
+TEST(MaxAngleTable, IsOneFitForAPerspectiveTarget) {
   for (const char* target : {"pinhole", "radtan", "rational"}) expect_rows_are_conversions(test::tumvi(), target);
 }
 

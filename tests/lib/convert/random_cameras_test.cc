@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Does a fit find the deepest basin, whatever the lens? Seeded random cameras: a few in every run, 1,000 where
+// Does a fit find the lowest minimum, whatever the lens? Seeded random cameras: a few in every run, 1,000 where
 // FCA_ALL_RANDOM_CAMERAS is set (tests/bench/run).
 #include "known_cameras.h"
 #include "random_lens.h"
@@ -318,7 +318,7 @@ TEST(RandomCameras, RationalOfHardLensesOverTheImage) {
   }
 }
 
-// Of the 1,000 those that taught the fit something: two bottoms between two of mei's shapes, one at the largest xi that can be;
+// Of the 1,000 those that taught the fit something: two minima between two of mei's shapes, one at the largest xi that can be;
 // a start of rational's that looks hopeless and is not; a fold inside the lens.
 TEST(RandomCameras, HardOnes) {
   Random random(22);

@@ -88,7 +88,7 @@ TEST(TableConversion, IsAtLeastAsGoodOnTheTableAsTheConversionOfTheCamera) {
   }
 }
 
-TEST(TableConversion, WhatSeesAheadOnlyIsFittedUpToASmallerAngleWithAWarning) {
+TEST(TableConversion, APerspectiveModelIsFittedUpToASmallerAngleWithAWarning) {
   const Camera table = as_table(test::lens_220(), 110.0, 60);
   Diagnostics diagnostics;
   const std::optional<Conversion> conversion = convert(table, to("radtan"), diagnostics);

@@ -55,7 +55,7 @@ struct CheckReport {
   std::vector<Undecided> undecided;
   Readers readers;                   ///< Who reads the file.
   bool has_reader = true;            ///< False: its keys are none that a program of ours reads; another may.
-  std::optional<ProofResult> proof;  ///< What the program that it is for makes of it; none: no such program, or no camera.
+  std::optional<ProofResult> proof;  ///< What the program that it is for reads from it; none: no such program, or no camera.
   std::string mode;                  ///< Of that program, which the keys are for.
   Verdict verdict;                   ///< Whether to use the file with that program.
   std::vector<std::string> parts;    ///< Paths of the files that it names as parts of it and that are there.

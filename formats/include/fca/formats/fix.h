@@ -21,7 +21,7 @@ struct Fix {
   std::string text;
 };
 
-/// What a program makes of bytes.
+/// What a program reads from bytes.
 using AskProgram = std::function<consumers::ConsumerView(const std::string& bytes)>;
 
 /// What takes a complaint of the program, one of those that it has about the document (`view`), away; nothing where no single

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two rigs: pixels, angles, the best rotation between cameras, poses, IMUs and times; and which slip of the pen explains it.
+// Two rigs: pixels, angles, the best rotation between cameras, poses, IMUs and times; and which common mistake explains it.
 #pragma once
 
 #include <fca/compare/report.h>

@@ -16,12 +16,12 @@ namespace fca {
 /// No more than this many pixels apart, two cameras count as the same: less than a corner detector is off.
 inline constexpr double kSamePx = 0.25;
 
-/// A slip of the pen that explains a difference: with it undone the two agree, without they do not.
+/// A common mistake that explains a difference: with it undone the two agree, without they do not.
 struct Mistake {
   Message message;                       ///< {0}: what it is about, in the other's names: "cam0", "T_imu0_cam0".
   std::optional<std::size_t> pose = {};  ///< Which of the other's poses it is about.
 
-  /// The same slip, of whatever else.
+  /// The same mistake, of whatever else.
   [[nodiscard]] bool is_like(const Mistake& mistake) const;
 };
 

@@ -50,7 +50,7 @@ struct Conversion {
 ///
 /// Where the target cannot describe the whole field of view, it is fitted up to the largest angle from the axis that it can
 /// describe, with a warning. To describe means to have a pixel for every ray, but for the very edge (a thousandth of the
-/// image), without a fold; of what sees ahead only (sees_ahead_only: radtan, rational, pinhole), also to stay under 1 px rms.
+/// image), without a fold; of a perspective model (is_perspective: radtan, rational, pinhole), also to stay under 1 px rms.
 /// Other models are fitted to all that they reach, at whatever error (ucm from a lens of 360 degrees: 3.7 px rms inside 136
 /// degrees from the axis): a wider field of view never scores less of the image, and options.max_angle_rad buys a better fit
 /// nearer the axis.

@@ -84,7 +84,7 @@ class FitTarget {
   [[nodiscard]] virtual std::span<const Parameter> parameters() const = 0;
   /// Left at its start unless a range is given.
   [[nodiscard]] virtual bool held(std::size_t parameter) const = 0;
-  /// A parameter along which there are two bottoms with nearly the same pixels.
+  /// A parameter along which there are two minima with nearly the same pixels.
   [[nodiscard]] virtual std::optional<std::size_t> folded() const = 0;
   /// Of the first four parameters u depends on 0 and 2, v on 1 and 3, and linearly: u = p[0] m_x + p[2], v = p[1] m_y + p[3],
   /// where m depends on the others alone.

@@ -13,7 +13,7 @@
 namespace fca {
 
 /// Has no camera of that model a pixel for rays at 90 degrees from the axis and beyond? True of what projects to a plane.
-[[nodiscard]] bool sees_ahead_only(std::string_view model_id);
+[[nodiscard]] bool is_perspective(std::string_view model_id);
 
 /// The errors of the same conversion inside 90, 95, 100, ... degrees from the axis, up to and including the field of view's
 /// angle: one fit per row, evaluated inside its own angle. Empty where there is no such choice: options.max_angle_rad is given,

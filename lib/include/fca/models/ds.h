@@ -83,7 +83,7 @@ struct Ds : internal::FocalLengthsFirst, internal::RayMap<Ds> {
     return std::acos(std::clamp(c, -1.0, 1.0));
   }
 
-  /// Several basins on both sides of a singular ridge at xi = 0: several starts on each. Given xi, alpha is linear:
+  /// Several local minima on both sides of a singular ridge at xi = 0: several starts on each. Given xi, alpha is linear:
   /// (u - c)(alpha d2 + (1 - alpha) k) = f (x, y).
   static constexpr std::array kStartXi = {-0.8, -0.6, -0.2, 0.3, 0.7, 1.4};
   static constexpr int kStarts = static_cast<int>(kStartXi.size());

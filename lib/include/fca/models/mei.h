@@ -129,7 +129,8 @@ struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
     for (std::size_t i = 1; i < kTerms; ++i) p[4 + i] = c[i] / c[0];
   }
 
-  /// Given xi the distortion is linear, as in radtan.h; f on the plane is the central one times 1 + xi. xi has several basins.
+  /// Given xi the distortion is linear, as in radtan.h; f on the plane is the central one times 1 + xi. xi has several local
+  /// minima.
   static constexpr std::array kStartXi = {1.0, 0.3, 2.0, 4.0};
   static constexpr int kStarts = static_cast<int>(kStartXi.size());
   static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int start, double* p) {

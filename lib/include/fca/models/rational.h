@@ -122,7 +122,7 @@ struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
                                              common_parameter::coefficient("k5"),
                                              common_parameter::coefficient("k6")};
 
-  static constexpr bool kAheadOnly = true;
+  static constexpr bool kPerspective = true;
   static constexpr bool kHasPoles = true;
 
   static bool formula_and_derivatives(const double* p, const double* ray, double* pixel, double* du, double* dv) {

@@ -88,7 +88,7 @@ struct EvaluatedPolynomial {
   ErrorStatistics statistics;  ///< Against the source.
 };
 
-/// a2 of UCM's ray height a(r) on the axis, and what the authors' unprojection makes of it.
+/// a2 of UCM's ray height a(r) on the axis, and what the authors' unprojection computes from it.
 struct SignError {
   double right_a2 = 0.0;
   double wrong_a2 = 0.0;

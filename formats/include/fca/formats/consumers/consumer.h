@@ -60,7 +60,7 @@ struct ConsumerImu {
   std::optional<double> rate_hz;
 };
 
-/// What a program has to say of one place of a file. fca/formats/wording.h words it.
+/// What a program reports about one place of a file. fca/formats/wording.h words it.
 struct Complaint {
   Complaint(Code code, std::string place, std::vector<Argument> arguments = {})
       : key(std::move(place)), facts{code, std::move(arguments)} {}
@@ -74,7 +74,7 @@ struct Complaint {
   bool costs_pixels = false;  ///< All that it means is that a misread camera's pixels are off.
 };
 
-/// What the program makes of a file.
+/// What the program reads from a file.
 struct ConsumerView {
   std::vector<Complaint> refusals;      ///< Why the program would not run with it. Empty: it loads.
   std::vector<Complaint> warnings;      ///< What it would silently misread or ignore.

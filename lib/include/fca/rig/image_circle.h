@@ -22,13 +22,13 @@ namespace fca {
 /// of what counts as dark are tried. Nothing where no dark border is seen (the lens lights the whole sensor, or the scene
 /// lights nothing): less than 12 % of the rim inside the image is seen (30 % with brighter levels), or what lies beyond is not
 /// dark. `why` stays empty.
-[[nodiscard]] std::optional<LensCircle> find_lit_circle(const GreyImage& image, const Pixel& principal_point);
+[[nodiscard]] std::optional<LensCircle> find_image_circle(const GreyImage& image, const Pixel& principal_point);
 
 /// Images of one camera, one after the other: what each shows alone, and what they show together. One that shows nothing, or
 /// a glow, does no harm to the others.
-class LitCircleSearch {
+class ImageCircleSearch {
  public:
-  explicit LitCircleSearch(const Pixel& principal_point) : principal_point_(principal_point) {}
+  explicit ImageCircleSearch(const Pixel& principal_point) : principal_point_(principal_point) {}
 
   /// Of the size of those before.
   void add(const GreyImage& image);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ahead.h"
+#include "pinhole_kernel.h"
 
 #include "../models/kernels/multiversioned.h"
 #include "../models/kernels/with_kernel.h"
@@ -53,7 +53,7 @@ std::size_t write_row(const Kernel kernel, const Row row, std::size_t count, flo
   return static_cast<std::size_t>(doubts);
 }
 
-FCA_MULTIVERSIONED std::size_t any_row(const AnyAheadKernel& kernels, const Row& row, std::size_t count, float* uv) {
+FCA_MULTIVERSIONED std::size_t any_row(const AnyPinholeKernel& kernels, const Row& row, std::size_t count, float* uv) {
   std::size_t doubts = 0;
   with_kernel(kernels, [&](const auto& kernel) { doubts = write_row(kernel, row, count, uv); });
   return doubts;
@@ -61,11 +61,11 @@ FCA_MULTIVERSIONED std::size_t any_row(const AnyAheadKernel& kernels, const Row&
 
 }  // namespace
 
-std::optional<AheadPixels> AheadPixels::of(const CameraModel& source, const Matrix3& to_source, double surely_seen) {
+std::optional<PinholePixels> PinholePixels::of(const CameraModel& source, const Matrix3& to_source, double surely_seen) {
   return std::visit(
-      [&]<class M>(const Intrinsics<M>& m) -> std::optional<AheadPixels> {
-        if constexpr (requires { sizeof(AheadKernel<M>); }) {
-          return AheadPixels(AheadKernel<M>(m.values.data()), to_source, surely_seen);
+      [&]<class M>(const Intrinsics<M>& m) -> std::optional<PinholePixels> {
+        if constexpr (requires { sizeof(PinholeKernel<M>); }) {
+          return PinholePixels(PinholeKernel<M>(m.values.data()), to_source, surely_seen);
         } else {
           return std::nullopt;
         }
@@ -73,17 +73,17 @@ std::optional<AheadPixels> AheadPixels::of(const CameraModel& source, const Matr
       source);
 }
 
-AheadPixels::AheadPixels(const AnyAheadKernel& kernel, const Matrix3& to_source, double surely_seen)
+PinholePixels::PinholePixels(const AnyPinholeKernel& kernel, const Matrix3& to_source, double surely_seen)
     : kernel_(kernel), to_source_(to_source), least_square_(surely_seen > 0.0 ? surely_seen * surely_seen : 0.0) {}
 
-bool AheadPixels::covers(double first, double v, std::size_t count) const {
+bool PinholePixels::covers(double first, double v, std::size_t count) const {
   // Shorter rays than this are no longer right to all digits.
   constexpr double kLeast = 1e-6;
   const auto z = [&](double u) { return to_source_[6] * u + to_source_[7] * v + to_source_[8]; };
   return std::min(z(first), z(first + static_cast<double>(count - 1))) > kLeast;
 }
 
-std::size_t AheadPixels::operator()(double first, double v, std::size_t count, float* uv) const {
+std::size_t PinholePixels::operator()(double first, double v, std::size_t count, float* uv) const {
   return any_row(kernel_, {to_source_, least_square_, first, v}, count, uv);
 }
 

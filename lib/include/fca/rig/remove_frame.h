@@ -9,6 +9,6 @@ namespace fca {
 
 /// Takes a frame (a camera that nobody asked for) out of the rig's poses. How the others sit to each other by way of it is then
 /// stated between them.
-void leave_out(std::string_view frame, Rig& rig);
+void remove_frame(std::string_view frame, Rig& rig);
 
 }  // namespace fca

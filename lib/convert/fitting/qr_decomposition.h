@@ -2,7 +2,7 @@
 // The QR decomposition J = Q R of a Jacobian, and the coordinates y = R (x - x0), in which its columns are orthonormal.
 #pragma once
 
-#include "products.h"
+#include "normal_equations.h"
 
 #include <cstddef>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace fca::internal {
 
-class Orthonormal {
+class QrDecomposition {
  public:
   /// Starts the decomposition of a Jacobian of that size.
   void reset(std::size_t rows, std::size_t columns);

@@ -8,6 +8,6 @@ namespace fca::checks {
 
 /// Of two findings about the same defect the one with the better words stays, as severe as the worse of the two, at the place
 /// and with the fix that one of them has.
-void tell_once(CheckReport& report);
+void deduplicate(CheckReport& report);
 
 }  // namespace fca::checks

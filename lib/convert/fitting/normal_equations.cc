@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "products.h"
+#include "normal_equations.h"
 
 #include "../../models/kernels/multiversioned.h"
 
@@ -47,14 +47,14 @@ double dot(const Column& a, const Column& b) {
 
 }  // namespace
 
-FCA_MULTIVERSIONED void products(std::span<const Column> columns, double* matrix) {
+FCA_MULTIVERSIONED void dot_products(std::span<const Column> columns, double* matrix) {
   const std::size_t count = columns.size();
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i; j < count; ++j) matrix[i * count + j] = dot(columns[i], columns[j]);
   }
 }
 
-FCA_MULTIVERSIONED void products(std::span<const Column> columns, const Column& other, double* vector) {
+FCA_MULTIVERSIONED void dot_products(std::span<const Column> columns, const Column& other, double* vector) {
   for (const Column& column : columns) *vector++ = dot(column, other);
 }
 

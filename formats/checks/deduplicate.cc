@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "told_once.h"
+#include "deduplicate.h"
 
 #include "complaints.h"
 
@@ -82,7 +82,7 @@ void take_from(const Finding& other, Finding& finding) {
 
 }  // namespace
 
-void tell_once(CheckReport& report) {
+void deduplicate(CheckReport& report) {
   std::vector<Finding>& findings = report.findings;
   for (const Twice& twice : kTwice) {
     for (std::size_t kept = 0; kept < findings.size(); ++kept) {

@@ -9,9 +9,9 @@
 namespace fca::internal {
 
 /// Writes columns[i] . columns[j] for i <= j into a row-major square matrix; leaves elements below the diagonal unchanged.
-void products(std::span<const Column> columns, double* matrix);
+void dot_products(std::span<const Column> columns, double* matrix);
 
 /// Writes columns[i] . other, one number per column.
-void products(std::span<const Column> columns, const Column& other, double* vector);
+void dot_products(std::span<const Column> columns, const Column& other, double* vector);
 
 }  // namespace fca::internal

@@ -16,12 +16,12 @@ namespace fca::internal {
 /// A ray of any length, z > 0, to its pixel; not finite: ask the model. For models whose formula needs no angle: for the others
 /// two loops with unit rays between them are faster.
 template <class M>
-struct AheadKernel;
+struct PinholeKernel;
 
 template <>
-struct AheadKernel<Pinhole> {
+struct PinholeKernel<Pinhole> {
   double fx, fy, cx, cy;
-  explicit AheadKernel(const double* p) : fx(p[0]), fy(p[1]), cx(p[2]), cy(p[3]) {}
+  explicit PinholeKernel(const double* p) : fx(p[0]), fy(p[1]), cx(p[2]), cy(p[3]) {}
   PixelOfRay operator()(double x, double y, double z) const {
     const double scale = 1.0 / z;
     return {fx * (scale * x) + cx, fy * (scale * y) + cy};
@@ -32,9 +32,9 @@ struct AheadKernel<Pinhole> {
 inline constexpr double kLeastShare = 1e-3;
 
 /// ucm is eucm with beta = 1.
-struct EucmAhead {
+struct EucmPinholeKernel {
   double fx, fy, cx, cy, alpha, beta;
-  EucmAhead(const double* p, double b) : fx(p[0]), fy(p[1]), cx(p[2]), cy(p[3]), alpha(p[4]), beta(b) {}
+  EucmPinholeKernel(const double* p, double b) : fx(p[0]), fy(p[1]), cx(p[2]), cy(p[3]), alpha(p[4]), beta(b) {}
   PixelOfRay operator()(double x, double y, double z) const {
     const double d = std::sqrt(beta * (x * x + y * y) + z * z);
     const double scale = 1.0 / (alpha * d + (1.0 - alpha) * z);
@@ -42,18 +42,18 @@ struct EucmAhead {
   }
 };
 template <>
-struct AheadKernel<Ucm> : EucmAhead {
-  explicit AheadKernel(const double* p) : EucmAhead(p, 1.0) {}
+struct PinholeKernel<Ucm> : EucmPinholeKernel {
+  explicit PinholeKernel(const double* p) : EucmPinholeKernel(p, 1.0) {}
 };
 template <>
-struct AheadKernel<Eucm> : EucmAhead {
-  explicit AheadKernel(const double* p) : EucmAhead(p, p[5]) {}
+struct PinholeKernel<Eucm> : EucmPinholeKernel {
+  explicit PinholeKernel(const double* p) : EucmPinholeKernel(p, p[5]) {}
 };
 
 template <>
-struct AheadKernel<Ds> {
+struct PinholeKernel<Ds> {
   double fx, fy, cx, cy, alpha, xi;
-  explicit AheadKernel(const double* p) : fx(p[0]), fy(p[1]), cx(p[2]), cy(p[3]), alpha(p[4]), xi(p[5]) {}
+  explicit PinholeKernel(const double* p) : fx(p[0]), fy(p[1]), cx(p[2]), cy(p[3]), alpha(p[4]), xi(p[5]) {}
   PixelOfRay operator()(double x, double y, double z) const {
     const double r2 = x * x + y * y;
     const double k = xi * std::sqrt(r2 + z * z) + z;
@@ -64,14 +64,14 @@ struct AheadKernel<Ds> {
   }
 };
 
-using AnyAheadKernel = std::variant<AheadKernel<Pinhole>, AheadKernel<Ucm>, AheadKernel<Eucm>, AheadKernel<Ds>>;
+using AnyPinholeKernel = std::variant<PinholeKernel<Pinhole>, PinholeKernel<Ucm>, PinholeKernel<Eucm>, PinholeKernel<Ds>>;
 
 /// Pixels of a row of a pinhole image to pixels of the source.
-class AheadPixels {
+class PinholePixels {
  public:
   /// `to_source`: takes (u, v, 1) of the pinhole image to the source's ray. `surely_seen`: rays whose cosine is above it lie in
   /// the source's domain. Nothing for a source without a kernel.
-  [[nodiscard]] static std::optional<AheadPixels> of(const CameraModel& source, const Matrix3& to_source, double surely_seen);
+  [[nodiscard]] static std::optional<PinholePixels> of(const CameraModel& source, const Matrix3& to_source, double surely_seen);
 
   /// Whether the rays of the pixels u = first .. first + count - 1 point ahead.
   [[nodiscard]] bool covers(double first, double v, std::size_t count) const;
@@ -80,9 +80,9 @@ class AheadPixels {
   [[nodiscard]] std::size_t operator()(double first, double v, std::size_t count, float* uv) const;
 
  private:
-  AheadPixels(const AnyAheadKernel& kernel, const Matrix3& to_source, double surely_seen);
+  PinholePixels(const AnyPinholeKernel& kernel, const Matrix3& to_source, double surely_seen);
 
-  AnyAheadKernel kernel_;
+  AnyPinholeKernel kernel_;
   Matrix3 to_source_;
   double least_square_;  ///< Of a cosine.
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lit_steps.h"
+#include "rim_steps.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The slips of the pen by which a pose becomes another one.
+// The common mistakes by which a pose becomes another one.
 #pragma once
 
 #include <fca/message.h>
@@ -10,13 +10,13 @@
 
 namespace fca {
 
-/// A slip of the pen that turns one statement of a pose into another.
-struct PoseSlip {
+/// A common mistake that turns one statement of a pose into another.
+struct PoseMistake {
   Code code;                                                  ///< What the file does instead, and the fix; {0}: "T_a_b".
   std::optional<Transform> (*undo)(const Transform& stated);  ///< The pose as it should be.
 };
 
-[[nodiscard]] std::span<const PoseSlip> pose_slips();
+[[nodiscard]] std::span<const PoseMistake> pose_mistakes();
 
 /// The code of the one whose undoing makes `meant` of `stated`, within what poses that were estimated apart differ by; kNone:
 /// none does.

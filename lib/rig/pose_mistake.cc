@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fca/rig/pose_slip.h>
+#include <fca/rig/pose_mistake.h>
 
 #include <fca/code.h>
 #include <fca/rig/rotation.h>
@@ -26,13 +26,13 @@ std::optional<Transform> scaled(const Transform& T, double factor) {
   return result;
 }
 
-constexpr std::array kSlips = {
-    PoseSlip{Code::kPoseHoldsInverse, [](const Transform& T) { return inverse(T); }},
-    PoseSlip{Code::kPoseTransposed, &transposed},
-    PoseSlip{Code::kPoseInMillimetres, [](const Transform& T) { return scaled(T, 1e-3); }},
-    PoseSlip{Code::kPoseInCentimetres, [](const Transform& T) { return scaled(T, 1e-2); }},
-    PoseSlip{Code::kPoseInHectometres, [](const Transform& T) { return scaled(T, 1e2); }},
-    PoseSlip{Code::kPoseInKilometres, [](const Transform& T) { return scaled(T, 1e3); }},
+constexpr std::array kMistakes = {
+    PoseMistake{Code::kPoseHoldsInverse, [](const Transform& T) { return inverse(T); }},
+    PoseMistake{Code::kPoseTransposed, &transposed},
+    PoseMistake{Code::kPoseInMillimetres, [](const Transform& T) { return scaled(T, 1e-3); }},
+    PoseMistake{Code::kPoseInCentimetres, [](const Transform& T) { return scaled(T, 1e-2); }},
+    PoseMistake{Code::kPoseInHectometres, [](const Transform& T) { return scaled(T, 1e2); }},
+    PoseMistake{Code::kPoseInKilometres, [](const Transform& T) { return scaled(T, 1e3); }},
 };
 
 bool is_close(const Transform& a, const Transform& b) {
@@ -49,15 +49,15 @@ bool is_same(const Transform& a, const Transform& b) {
 
 }  // namespace
 
-std::span<const PoseSlip> pose_slips() { return kSlips; }
+std::span<const PoseMistake> pose_mistakes() { return kMistakes; }
 
 Code mistake_in(const Transform& stated, const Transform& meant) {
-  for (const PoseSlip& slip : kSlips) {
-    const std::optional<Transform> undone = slip.undo(stated);
+  for (const PoseMistake& mistake : kMistakes) {
+    const std::optional<Transform> undone = mistake.undo(stated);
     if (!undone) continue;
     // A small rotation and its transpose are as near as honest statements are, but then none of them is exact.
     const bool explains = !is_close(stated, meant) && is_close(*undone, meant);
-    if (explains || is_same(*undone, meant)) return slip.code;
+    if (explains || is_same(*undone, meant)) return mistake.code;
   }
   return Code::kNone;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fca/rig/lit_circle.h>
+#include <fca/rig/image_circle.h>
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ GreyImage rendered(const Scene& scene) {
 }
 
 void expect_found(const GreyImage& image, const LensCircle& truth) {
-  const std::optional<LensCircle> found = find_lit_circle(image, axis_of(truth));
+  const std::optional<LensCircle> found = find_image_circle(image, axis_of(truth));
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->centre[0], truth.centre[0], 1.0);
   EXPECT_NEAR(found->centre[1], truth.centre[1], 1.0);
@@ -66,13 +66,13 @@ void expect_found(const GreyImage& image, const LensCircle& truth) {
   EXPECT_LE(found->rim_share, 1.0);
 }
 
-TEST(LitCircle, IsFoundWhole) {
+TEST(ImageCircle, IsFoundWhole) {
   const Scene scene;
   expect_found(rendered(scene), scene.circle);
-  EXPECT_GT(find_lit_circle(rendered(scene), axis_of(scene.circle))->rim_share, 0.95);
+  EXPECT_GT(find_image_circle(rendered(scene), axis_of(scene.circle))->rim_share, 0.95);
 }
 
-TEST(LitCircle, IsFoundWhereTheImageCutsIt) {
+TEST(ImageCircle, IsFoundWhereTheImageCutsIt) {
   for (const LensCircle& circle : {LensCircle{{320.0, 240.0}, 300.0, 0.0, 0.0}, LensCircle{{300.0, 250.0}, 330.0, 0.0, 0.0},
                                    LensCircle{{330.0, 235.0}, 370.0, 0.0, 0.0}}) {
     SCOPED_TRACE(circle.radius_px);
@@ -82,13 +82,13 @@ TEST(LitCircle, IsFoundWhereTheImageCutsIt) {
   }
 }
 
-TEST(LitCircle, IsFoundFarFromTheMiddleAndSmall) {
+TEST(ImageCircle, IsFoundFarFromTheMiddleAndSmall) {
   Scene scene;
   scene.circle = {{180.0, 300.0}, 95.0, 0.0, 0.0};
   expect_found(rendered(scene), scene.circle);
 }
 
-TEST(LitCircle, IsFoundInNoiseAndInTheDark) {
+TEST(ImageCircle, IsFoundInNoiseAndInTheDark) {
   Scene scene;
   scene.noise = 8.0;
   expect_found(rendered(scene), scene.circle);
@@ -97,21 +97,21 @@ TEST(LitCircle, IsFoundInNoiseAndInTheDark) {
   expect_found(rendered(scene), scene.circle);
 }
 
-TEST(LitCircle, IsFoundByAPartOfItsRim) {
+TEST(ImageCircle, IsFoundByAPartOfItsRim) {
   Scene scene;
   scene.lit_from = -1.0;
   scene.lit_to = 1.2;
   expect_found(rendered(scene), scene.circle);
-  EXPECT_LT(find_lit_circle(rendered(scene), axis_of(scene.circle))->rim_share, 0.5);
+  EXPECT_LT(find_image_circle(rendered(scene), axis_of(scene.circle))->rim_share, 0.5);
 }
 
-TEST(LitCircle, IsNotDrawnToFlareBesideIt) {
+TEST(ImageCircle, IsNotDrawnToFlareBesideIt) {
   Scene scene;
   scene.flare = true;
   expect_found(rendered(scene), scene.circle);
 }
 
-TEST(LitCircle, IsFoundInImagesTogetherWhereNoneShowsIt) {
+TEST(ImageCircle, IsFoundInImagesTogetherWhereNoneShowsIt) {
   std::vector<GreyImage> images;
   for (int i = 0; i < 12; ++i) {
     Scene scene;
@@ -119,24 +119,24 @@ TEST(LitCircle, IsFoundInImagesTogetherWhereNoneShowsIt) {
     scene.lit_from = -3.2 + 0.55 * i;
     scene.lit_to = scene.lit_from + 0.3;
     images.push_back(rendered(scene));
-    EXPECT_FALSE(find_lit_circle(images.back(), axis_of(scene.circle))) << i;
+    EXPECT_FALSE(find_image_circle(images.back(), axis_of(scene.circle))) << i;
   }
   expect_found(brightest(images), Scene().circle);
 }
 
-TEST(LitCircle, IsTheSameInAnotherUnit) {
+TEST(ImageCircle, IsTheSameInAnotherUnit) {
   GreyImage image = rendered({});
-  const std::optional<LensCircle> found = find_lit_circle(image, kMiddle);
+  const std::optional<LensCircle> found = find_image_circle(image, kMiddle);
   ASSERT_TRUE(found);
   for (float& sample : image.samples) sample *= 257.0F;
   image.full_scale = 65535.0F;
-  const std::optional<LensCircle> of_16_bits = find_lit_circle(image, kMiddle);
+  const std::optional<LensCircle> of_16_bits = find_image_circle(image, kMiddle);
   ASSERT_TRUE(of_16_bits);
   EXPECT_NEAR(of_16_bits->radius_px, found->radius_px, 1e-3);
 }
 
 // A ring of stray light around the rim is brighter than the corners are dark.
-TEST(LitCircle, IsNotDrawnToAGlowAroundIt) {
+TEST(ImageCircle, IsNotDrawnToAGlowAroundIt) {
   for (const double glow : {5.0, 15.0, 25.0, 40.0}) {
     SCOPED_TRACE(glow);
     Scene scene;
@@ -147,39 +147,39 @@ TEST(LitCircle, IsNotDrawnToAGlowAroundIt) {
   }
 }
 
-TEST(LitCircle, IsFoundInMuchNoise) {
+TEST(ImageCircle, IsFoundInMuchNoise) {
   Scene scene;
   scene.noise = 20.0;
   expect_found(rendered(scene), scene.circle);
 }
 
-TEST(LitCircle, IsNoLampBesideTheAxis) {
+TEST(ImageCircle, IsNoLampBesideTheAxis) {
   Scene lamp;
   lamp.circle = {{420.0, 160.0}, 85.0, 0.0, 0.0};
-  EXPECT_FALSE(find_lit_circle(rendered(lamp), kMiddle));
-  EXPECT_TRUE(find_lit_circle(rendered(lamp), lamp.circle.centre));
+  EXPECT_FALSE(find_image_circle(rendered(lamp), kMiddle));
+  EXPECT_TRUE(find_image_circle(rendered(lamp), lamp.circle.centre));
 }
 
-TEST(LitCircle, IsSharpAtALensesEdgeOnly) {
+TEST(ImageCircle, IsSharpAtALensesEdgeOnly) {
   Scene sharp;
-  EXPECT_GT(find_lit_circle(rendered(sharp), axis_of(sharp.circle))->sharpness, 0.6);
+  EXPECT_GT(find_image_circle(rendered(sharp), axis_of(sharp.circle))->sharpness, 0.6);
   Scene soft;
   soft.vignette_px = 200.0;
-  const std::optional<LensCircle> found = find_lit_circle(rendered(soft), axis_of(soft.circle));
+  const std::optional<LensCircle> found = find_image_circle(rendered(soft), axis_of(soft.circle));
   if (found) {
     EXPECT_LT(found->sharpness, 0.6);
   }
 }
 
 std::optional<LensCircle> best_of(const std::vector<Scene>& scenes, std::vector<std::size_t>* contradicting = nullptr) {
-  LitCircleSearch search(axis_of(scenes.front().circle));
+  ImageCircleSearch search(axis_of(scenes.front().circle));
   for (const Scene& scene : scenes) search.add(rendered(scene));
   const std::optional<LensCircle> best = search.best();
   if (best && contradicting != nullptr) *contradicting = search.contradicting(*best);
   return best;
 }
 
-TEST(LitCircleSearch, IsNotSpoiltByFurtherImages) {
+TEST(ImageCircleSearch, IsNotSpoiltByFurtherImages) {
   const Scene good;
   Scene black;
   black.brightness = 0.0;
@@ -195,10 +195,10 @@ TEST(LitCircleSearch, IsNotSpoiltByFurtherImages) {
     EXPECT_NEAR(found->centre[0], good.circle.centre[0], 1.0);
   }
   EXPECT_FALSE(best_of({black}));
-  EXPECT_FALSE(LitCircleSearch(kMiddle).best());
+  EXPECT_FALSE(ImageCircleSearch(kMiddle).best());
 }
 
-TEST(LitCircleSearch, NamesImagesOfAnotherCircle) {
+TEST(ImageCircleSearch, NamesImagesOfAnotherCircle) {
   const Scene scene;
   Scene other;
   other.circle = {{300.0, 240.0}, 170.0, 0.0, 0.0};
@@ -210,7 +210,7 @@ TEST(LitCircleSearch, NamesImagesOfAnotherCircle) {
 }
 
 // One image of another camera, however much of a rim it shows, does not outweigh those that agree.
-TEST(LitCircleSearch, BelievesTheImagesThatAgree) {
+TEST(ImageCircleSearch, BelievesTheImagesThatAgree) {
   const Scene scene;
   Scene half = scene;
   half.lit_from = -1.4;
@@ -223,7 +223,7 @@ TEST(LitCircleSearch, BelievesTheImagesThatAgree) {
   Scene noisy = scene;
   noisy.noise = 12.0;
   for (const std::vector<Scene>& scenes : {std::vector{half, other_half, other}, {noisy, other, half}, {other, noisy, noisy}}) {
-    LitCircleSearch search(axis_of(scene.circle));
+    ImageCircleSearch search(axis_of(scene.circle));
     for (const Scene& each : scenes) search.add(rendered(each));
     const std::optional<LensCircle> found = search.best();
     ASSERT_TRUE(found);
@@ -235,22 +235,22 @@ TEST(LitCircleSearch, BelievesTheImagesThatAgree) {
   }
 }
 
-TEST(LitCircle, IsNoneWhereNoBorderIsDark) {
+TEST(ImageCircle, IsNoneWhereNoBorderIsDark) {
   Scene everywhere;
   everywhere.circle.radius_px = 1000.0;
-  EXPECT_FALSE(find_lit_circle(rendered(everywhere), kMiddle));
+  EXPECT_FALSE(find_image_circle(rendered(everywhere), kMiddle));
   Scene nowhere;
   nowhere.brightness = 0.0;
   nowhere.lit_from = 4.0;
-  EXPECT_FALSE(find_lit_circle(rendered(nowhere), kMiddle));
-  EXPECT_FALSE(find_lit_circle({640, 480, 255.0F, std::vector<float>(640 * 480, 0.0F)}, kMiddle));
-  EXPECT_FALSE(find_lit_circle({640, 480, 255.0F, std::vector<float>(640 * 480, 255.0F)}, kMiddle));
-  EXPECT_FALSE(find_lit_circle({2, 2, 255.0F, std::vector<float>(4, 9.0F)}, kMiddle));
-  EXPECT_FALSE(find_lit_circle({0, 0, 255.0F, {}}, kMiddle));
+  EXPECT_FALSE(find_image_circle(rendered(nowhere), kMiddle));
+  EXPECT_FALSE(find_image_circle({640, 480, 255.0F, std::vector<float>(640 * 480, 0.0F)}, kMiddle));
+  EXPECT_FALSE(find_image_circle({640, 480, 255.0F, std::vector<float>(640 * 480, 255.0F)}, kMiddle));
+  EXPECT_FALSE(find_image_circle({2, 2, 255.0F, std::vector<float>(4, 9.0F)}, kMiddle));
+  EXPECT_FALSE(find_image_circle({0, 0, 255.0F, {}}, kMiddle));
 }
 
 // A dark wood in two corners, a bright window: no circle parts them.
-TEST(LitCircle, IsNoneInAScene) {
+TEST(ImageCircle, IsNoneInAScene) {
   GreyImage image{640, 480, 255.0F, {}};
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0.0, 2.0);
@@ -263,7 +263,7 @@ TEST(LitCircle, IsNoneInAScene) {
       image.samples.push_back(static_cast<float>(std::clamp(value + noise(random), 0.0, 255.0)));
     }
   }
-  EXPECT_FALSE(find_lit_circle(image, kMiddle));
+  EXPECT_FALSE(find_image_circle(image, kMiddle));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace fca {
 
 /// Lower case (of ASCII), without '-' and '_'.
-[[nodiscard]] inline std::string folded(std::string_view name) {
+[[nodiscard]] inline std::string normalised_id(std::string_view name) {
   std::string result;
   for (const char c : name) {
     if (c != '-' && c != '_') result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

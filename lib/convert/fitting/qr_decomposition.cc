@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "orthonormal.h"
+#include "qr_decomposition.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace fca::internal {
 
-void Orthonormal::reset(std::size_t rows, std::size_t columns) {
+void QrDecomposition::reset(std::size_t rows, std::size_t columns) {
   rows_ = rows;
   columns_ = columns;
   added_ = 0;
@@ -16,14 +16,14 @@ void Orthonormal::reset(std::size_t rows, std::size_t columns) {
 
 // Gram-Schmidt orthogonalisation, done twice, is as accurate as Householder's method. R^-1 is updated with each column: if q =
 // (a - sum c_i q_i) / n, the new column of R^-1 is (e - sum c_i R^-1_i) / n.
-void Orthonormal::add(const double* column) {
+void QrDecomposition::add(const double* column) {
   const std::size_t j = added_++;
   double* const q = q_.data() + j * rows_;
   std::copy_n(column, rows_, q);
   const auto dot = [this](const double* a, const double* b) {
     const Column x{a, 0, rows_};
     double result = 0.0;
-    products(std::span(&x, 1), Column{b, 0, rows_}, &result);
+    dot_products(std::span(&x, 1), Column{b, 0, rows_}, &result);
     return result;
   };
   const double length = std::sqrt(dot(q, q));
@@ -44,13 +44,13 @@ void Orthonormal::add(const double* column) {
   for (std::size_t row = 0; row <= j; ++row) inverse_[row * columns_ + j] *= scale;
 }
 
-void Orthonormal::step(const double* y, double* values) const {
+void QrDecomposition::step(const double* y, double* values) const {
   for (std::size_t row = 0; row < columns_; ++row) {
     for (std::size_t j = row; j < columns_; ++j) values[row] += inverse_[row * columns_ + j] * y[j];
   }
 }
 
-void Orthonormal::transform(std::span<const Column> jacobian, std::vector<double>& space) {
+void QrDecomposition::transform(std::span<const Column> jacobian, std::vector<double>& space) {
   space.assign(rows_ * columns_, 0.0);
   for (std::size_t j = 0; j < columns_; ++j) {
     double* const to = space.data() + j * rows_;
@@ -62,7 +62,7 @@ void Orthonormal::transform(std::span<const Column> jacobian, std::vector<double
   }
 }
 
-std::span<const Column> Orthonormal::columns(const std::vector<double>& space) {
+std::span<const Column> QrDecomposition::columns(const std::vector<double>& space) {
   views_.resize(columns_);
   for (std::size_t j = 0; j < columns_; ++j) views_[j] = {space.data() + j * rows_, 0, rows_};
   return views_;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fca/rig/leave_out.h>
+#include <fca/rig/remove_frame.h>
 
 #include <utility>
 #include <vector>
 
 namespace fca {
 
-void leave_out(std::string_view frame, Rig& rig) {
+void remove_frame(std::string_view frame, Rig& rig) {
   Rig others;
   std::vector<std::string> neighbours;
   for (const PoseEdge& edge : rig.poses) {

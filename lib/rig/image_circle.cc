@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fca/rig/lit_circle.h>
+#include <fca/rig/image_circle.h>
 
 #include "circle_vote.h"
-#include "lit_steps.h"
+#include "rim_steps.h"
 
 #include <algorithm>
 #include <array>
@@ -176,7 +176,7 @@ GreyImage brightest(std::span<const GreyImage> images) {
   return result;
 }
 
-std::optional<LensCircle> find_lit_circle(const GreyImage& image, const Pixel& principal_point) {
+std::optional<LensCircle> find_image_circle(const GreyImage& image, const Pixel& principal_point) {
   constexpr int kSmallest = 16;  // px
   if (image.width < kSmallest || image.height < kSmallest) return std::nullopt;
   const GreyImage smooth = internal::smoothed(image);
@@ -193,18 +193,18 @@ std::optional<LensCircle> find_lit_circle(const GreyImage& image, const Pixel& p
   return std::nullopt;
 }
 
-void LitCircleSearch::add(const GreyImage& image) {
-  alone_.push_back(find_lit_circle(image, principal_point_));
+void ImageCircleSearch::add(const GreyImage& image) {
+  alone_.push_back(find_image_circle(image, principal_point_));
   together_ = together_ ? brightest(std::array{*std::move(together_), image}) : image;
 }
 
-std::optional<LensCircle> LitCircleSearch::best() const {
+std::optional<LensCircle> ImageCircleSearch::best() const {
   std::vector<LensCircle> found;
   for (const std::optional<LensCircle>& circle : alone_) {
     if (circle) found.push_back(*circle);
   }
   if (alone_.size() > 1) {
-    if (const std::optional<LensCircle> together = find_lit_circle(*together_, principal_point_)) found.push_back(*together);
+    if (const std::optional<LensCircle> together = find_image_circle(*together_, principal_point_)) found.push_back(*together);
   }
   // One image by itself proves no other wrong.
   const auto witnesses = [this](const LensCircle& circle) { return std::max<std::size_t>(showing(circle).size(), 1); };
@@ -216,7 +216,7 @@ std::optional<LensCircle> LitCircleSearch::best() const {
   return best;
 }
 
-std::vector<std::size_t> LitCircleSearch::showing(const LensCircle& circle) const {
+std::vector<std::size_t> ImageCircleSearch::showing(const LensCircle& circle) const {
   std::vector<std::size_t> images;
   for (std::size_t i = 0; i < alone_.size(); ++i) {
     if (alone_[i] && is_same(*alone_[i], circle)) images.push_back(i);
@@ -224,7 +224,7 @@ std::vector<std::size_t> LitCircleSearch::showing(const LensCircle& circle) cons
   return images;
 }
 
-std::vector<std::size_t> LitCircleSearch::contradicting(const LensCircle& circle) const {
+std::vector<std::size_t> ImageCircleSearch::contradicting(const LensCircle& circle) const {
   constexpr double kGoodPart = 0.3;
   std::vector<std::size_t> images;
   for (std::size_t i = 0; i < alone_.size(); ++i) {
