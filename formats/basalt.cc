@@ -128,7 +128,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
                              Diagnostics& diagnostics) {
   Diagnostics ignored;
   const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const bool edits = old && !options.anew && schema::same_cameras(*old, rig);
+  const bool edits = old && !options.rewrite && schema::same_cameras(*old, rig);
   if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
             : !writable_alone(kFormat, rig, Message{Code::kBasaltDemandsSize}, diagnostics))
     return std::nullopt;

@@ -67,7 +67,7 @@ namespace {
 using Names = std::map<std::string, std::string>;  // old -> new
 
 /// "[1, 2]" with the numbers of the cameras' new names: [3, 2] where cam1 became cam3.
-std::string counted_anew(const std::string& list, const Names& names) {
+std::string recounted(const std::string& list, const Names& names) {
   constexpr std::string_view kDigits = "0123456789";
   std::string result;
   for (std::size_t at = 0; at < list.size();) {
@@ -112,7 +112,7 @@ void rename_apart(const Rig& rig, const Format& format, Rig& part) {
   }
   for (ExtraField& extra : part.extra_fields) {
     if (!extra.owner.empty() && std::ranges::find(format.of_cameras, extra.key) != format.of_cameras.end())
-      extra.value = counted_anew(extra.value, names);
+      extra.value = recounted(extra.value, names);
   }
 }
 
@@ -251,7 +251,7 @@ void forget_common_origins(Rig& rig, Diagnostics& diagnostics) {
     if (cameras.size() < 2) continue;
     std::erase_if(rig.poses,
                   [&of = frame](const PoseEdge& edge) { return (edge.a == of || edge.b == of) && edge.T_a_b == Transform{}; });
-    diagnostics.add(Code::kPoseOfEachUnstated, {cameras});
+    diagnostics.add(Code::kPoseOfEachMissing, {cameras});
   }
 }
 
@@ -266,7 +266,7 @@ std::optional<Calibration> alone(const Calibration& calibration, std::size_t doc
   if (!rig) return std::nullopt;
   Calibration result;
   result.format = calibration.formats[document];
-  result.why = {Code::kFormatTold};
+  result.why = {Code::kFormatGiven};
   result.documents = {calibration.documents[document]};
   result.formats = {result.format};
   result.rig = *std::move(rig);
@@ -285,7 +285,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
   for (std::size_t i = 0; i < documents.size(); ++i) {
     const text::Document& document = documents[i];
     const bool main_file = result.format == nullptr;
-    DetectedFormat detected{format, {Code::kFormatTold}};
+    DetectedFormat detected{format, {Code::kFormatGiven}};
     if (format == nullptr || (!main_file && !options.join)) {
       const bool is_known = i < detected_before.size() && detected_before[i];
       const std::optional<DetectedFormat> found = is_known ? detected_before[i] : detect_format(document, diagnostics);
@@ -358,7 +358,7 @@ std::optional<Written> write_calibration(const Format& format, const text::Docum
   }
   const Message why = format.many_cameras ? Message{Code::kSeveralFilesBecomeOne} : Message{};
   for (const text::Document& document : options.joined)
-    add_composed_anew(document, written->files.front().document, why, written->losses);
+    add_rewritten(document, written->files.front().document, why, written->losses);
   // In a fresh file of one lens alone stands no pose, and no name of a camera.
   const bool says_more = format.many_cameras || base != nullptr || !rig.poses.empty();
   for (Written::File& file : written->files) {

@@ -25,8 +25,8 @@ class ComposedYaml {
   /// A key whose value is a mapping of these fields, `indentation` blanks deeper than it.
   void add_mapping(const std::string& key, const std::vector<fields::Field>& fields, std::size_t indentation);
 
-  /// What text::parse_document makes of the bytes, node by node and span by span. Where a key or value is no plain word, number
-  /// or text (quotes in quotes, "null", other alphabets) it is asked, and this takes as long.
+  /// What text::parse_document returns for the bytes, node by node and span by span. Where a key or value is no plain word,
+  /// number or text (quotes in quotes, "null", other alphabets) it is asked, and this takes as long.
   [[nodiscard]] std::optional<text::Document> document(std::string name, Diagnostics& diagnostics) &&;
 
  private:

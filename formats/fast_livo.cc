@@ -276,7 +276,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (!writable_alone(kFormat, rig, Message{Code::kTableDemandsSize}, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const std::optional<Rig> old = options.anew ? std::nullopt : there;
+  const std::optional<Rig> old = options.rewrite ? std::nullopt : there;
   Written written;
   bool edits = false;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
@@ -293,7 +293,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {camera.name}, {"fast-livo"}});
   }
-  if (base != nullptr && !edits) add_composed_anew(*base, written.files.front().document, Message{}, written.losses);
+  if (base != nullptr && !edits) add_rewritten(*base, written.files.front().document, Message{}, written.losses);
   add_extras_lost(rig, edits ? old->extra_fields : std::vector<ExtraField>(), edits ? std::nullopt : there,
                   Message{Code::kFilesHaveNoPlace, {kProgram}}, written.losses);
   list_camera_losses(rig, kProgram, written.losses);

@@ -109,7 +109,7 @@ enum class Shape {
   kMatrix,  ///< key: !!opencv-matrix with rows, cols, dt, data
 };
 
-/// A key and what its value says, as tokens ready to be written in YAML; in other syntaxes they are spelled anew.
+/// A key and what its value says, as tokens ready to be written in YAML; other syntaxes spell them their own way.
 struct Field {
   std::string key;
   Shape shape = Shape::kScalar;

@@ -49,8 +49,8 @@ std::string_view yaml_header(const text::Document& document) {
 
 }  // namespace
 
-void add_composed_anew(const text::Document& base, const text::Document& fresh, const Message& why, std::vector<Loss>& losses) {
-  const Message reason = why.is_said() ? Message{Code::kComposedAnewBecause, {why}} : Message{Code::kComposedAnew};
+void add_rewritten(const text::Document& base, const text::Document& fresh, const Message& why, std::vector<Loss>& losses) {
+  const Message reason = why.is_said() ? Message{Code::kFileRewrittenBecause, {why}} : Message{Code::kFileRewritten};
   const std::string& name = base.source().name;
   if (holds_comments(base)) losses.push_back(lost(Code::kCommentsOfFileDropped, name, "", {reason}));
   const std::string_view header = yaml_header(base);
@@ -62,7 +62,7 @@ void add_extras_lost(const Rig& rig, std::span<const ExtraField> there, const st
   add_beyond_base(rig.extra_fields, there, why, losses);
   if (!replaced) return;
   const std::vector<ExtraField> of_base = extras_beyond(replaced->extra_fields, rig.extra_fields);
-  add_not_carried(extras_beyond(of_base, there), Message{Code::kComposedAnew}, losses);
+  add_not_carried(extras_beyond(of_base, there), Message{Code::kFileRewritten}, losses);
 }
 
 void add_lost_comments(const text::Document& edited, std::vector<Loss>& losses) {

@@ -42,7 +42,7 @@ void add_extras_lost(const Rig& rig, std::span<const ExtraField> there, const st
 void add_lost_comments(const text::Document& edited, std::vector<Loss>& losses);
 
 /// What goes with a base's text where `fresh` is composed in its place: comments and its first line, "%YAML:1.0". `why`: why it
-/// is composed anew; may be none. Its keys are the writer's affair.
-void add_composed_anew(const text::Document& base, const text::Document& fresh, const Message& why, std::vector<Loss>& losses);
+/// is rewritten; may be none. Its keys are the writer's affair.
+void add_rewritten(const text::Document& base, const text::Document& fresh, const Message& why, std::vector<Loss>& losses);
 
 }  // namespace fca

@@ -4,7 +4,7 @@
 #include <fca/code.h>
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/counted_cameras.h>
-#include <fca/rig/leave_out.h>
+#include <fca/rig/remove_frame.h>
 
 #include <algorithm>
 #include <cmath>
@@ -117,14 +117,14 @@ std::vector<PoseEdge> poses_in(const Format& format, const Written& written) {
   return poses;
 }
 
-std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const Written& written) {
-  Rig rig = rig_as_read;
-  for (const Camera& camera : rig_as_read.cameras) {
+std::vector<Loss> lost_poses(const Format& format, const Rig& rig_read, const Written& written) {
+  Rig rig = rig_read;
+  for (const Camera& camera : rig_read.cameras) {
     // A camera that no file holds is a loss of its own.
     const bool held = std::ranges::any_of(written.files, [&camera](const Written::File& file) {
       return std::ranges::find(file.cameras, camera.name) != file.cameras.end();
     });
-    if (!held) leave_out(camera.name, rig);
+    if (!held) remove_frame(camera.name, rig);
   }
   if (rig.poses.empty()) return {};
   Rig kept;

@@ -96,12 +96,12 @@ struct Disagreement {
 };
 
 /// For distances up to `largest_px` whose angles are no larger than `max_angle_rad`. The bound: between two samples the
-/// difference moves by its slope there, which changes by no more than its steepest change allows.
+/// difference moves by its derivative there, which changes by no more than its steepest change allows.
 Disagreement disagreement(const Numbers& to_distance, const Numbers& to_angle, double largest_px, double max_angle_rad) {
   constexpr int kSteps = 1 << 14;
   const double step = largest_px / kSteps;
-  const Numbers distance_slope = derivative_of(to_distance);
-  const Numbers angle_slope = derivative_of(to_angle);
+  const Numbers distance_derivative = derivative_of(to_distance);
+  const Numbers angle_derivative = derivative_of(to_angle);
   Disagreement result;
   double steepest = 0.0;
   for (int i = 0; i <= kSteps; ++i) {
@@ -111,12 +111,12 @@ Disagreement disagreement(const Numbers& to_distance, const Numbers& to_angle, d
     result.found_px = std::max(result.found_px, std::abs(value_at(to_distance, angle) - distance));
     result.angle_rad = std::max(result.angle_rad, std::abs(angle));
     result.end_px = distance;
-    steepest = std::max(steepest, std::abs(value_at(distance_slope, angle) * value_at(angle_slope, distance) - 1.0));
+    steepest = std::max(steepest, std::abs(value_at(distance_derivative, angle) * value_at(angle_derivative, distance) - 1.0));
   }
-  const double slope = largest_value(angle_slope, result.end_px);
+  const double derivative = largest_value(angle_derivative, result.end_px);
   const double bend =
-      largest_value(derivative_of(distance_slope), result.angle_rad) * slope * slope +
-      largest_value(distance_slope, result.angle_rad) * largest_value(derivative_of(angle_slope), result.end_px);
+      largest_value(derivative_of(distance_derivative), result.angle_rad) * derivative * derivative +
+      largest_value(distance_derivative, result.angle_rad) * largest_value(derivative_of(angle_derivative), result.end_px);
   result.bound_px = result.found_px + 0.5 * step * (steepest + 0.5 * step * bend);
   return result;
 }

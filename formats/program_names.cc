@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fca/folded_name.h>
 #include <fca/formats/program_names.h>
+#include <fca/normalised_id.h>
 
 #include <algorithm>
 #include <array>
@@ -160,9 +160,9 @@ constexpr std::array kNames = {
 std::span<const ProgramName> all_program_names() { return kNames; }
 
 const ProgramName* find_program_name(std::string_view typed) {
-  const std::string wanted = folded(typed);
+  const std::string wanted = normalised_id(typed);
   const auto found = std::ranges::find_if(kNames, [&wanted](const ProgramName& row) {
-    return std::ranges::any_of(row.names, [&wanted](Name name) { return folded(name) == wanted; });
+    return std::ranges::any_of(row.names, [&wanted](Name name) { return normalised_id(name) == wanted; });
   });
   return found == kNames.end() ? nullptr : &*found;
 }

@@ -42,7 +42,7 @@ struct Comparison {
   double wrong_ray_px = 0.0;
   bool agrees = true;
 
-  /// What is found stays found; the areas are to be summed anew.
+  /// What is found stays found; the areas are to be summed again.
   void forget_areas() { asked = compared = misread_area = wrong_rays = 0.0; }
   void add(const Comparison& other) {
     worst = std::max(worst, other.worst);

@@ -33,7 +33,7 @@
 #include "write_guard.h"
 
 #include <fca/code.h>
-#include <fca/folded_name.h>
+#include <fca/normalised_id.h>
 
 #include <algorithm>
 #include <array>
@@ -69,7 +69,7 @@ std::span<const Format> written_formats() {
 
 const Format* find_format(std::string_view name) {
   const auto& formats = table();
-  const auto found = std::ranges::find_if(formats, [&](const Format& f) { return folded(f.id) == folded(name); });
+  const auto found = std::ranges::find_if(formats, [&](const Format& f) { return normalised_id(f.id) == normalised_id(name); });
   return found == formats.end() ? nullptr : &*found;
 }
 

@@ -299,8 +299,8 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
     if (same_id(kind, Code::kAnyUndistortionInexact) && (is_measured(facts) || !facts.to->undistorts_points)) continue;
     const VerdictWord word = word_of(finding.severity);
     // Lengths that are no metres become wrong ones in a format of metres.
-    if (kind == Code::kOpencvUnitsNotStated && is_of_one_camera(facts)) continue;  // of the second one's distance
-    const bool is_of_unit = kind == Code::kOpencvUnitsNotStated && facts.to->extrinsics && !facts.to->any_length_unit;
+    if (kind == Code::kOpencvUnitsNotGiven && is_of_one_camera(facts)) continue;  // of the second one's distance
+    const bool is_of_unit = kind == Code::kOpencvUnitsNotGiven && facts.to->extrinsics && !facts.to->any_length_unit;
     const std::string camera = camera_of(finding, facts.rig);
     if (is_among(reasons, finding) || (!camera.empty() && !is_written(camera, facts))) continue;
     reasons.push_back({.word = is_of_unit ? VerdictWord::kDoNotUse : word,

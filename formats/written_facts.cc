@@ -77,14 +77,14 @@ Message written_statement(const Contradiction& contradiction, const VerdictFacts
     if (is_written_as_stated(poses[other])) others_as_stated.push_back(others.back());
   }
   const std::optional<Transform> T = written.resolve(stated.a, stated.b);
-  if (!T) return others_as_stated.empty() ? Message{} : Message{Code::kPoseWrittenAsStated, {others_as_stated}};
+  if (!T) return others_as_stated.empty() ? Message{} : Message{Code::kPoseWrittenAsGiven, {others_as_stated}};
   const bool is_as_stated = is_written_as_stated(stated);
   std::erase_if(written.poses, [&stated](const PoseEdge& edge) {
     return (edge.a == stated.a && edge.b == stated.b) || (edge.a == stated.b && edge.b == stated.a);
   });
   const std::optional<Transform> by_others = written.resolve(stated.a, stated.b);
   if (by_others && difference_of(*T, *by_others).contradicts()) return {Code::kPosesWrittenBoth};
-  if (is_as_stated) return {Code::kPoseWrittenAsStated, {std::vector<std::string>{name_of(stated)}}};
+  if (is_as_stated) return {Code::kPoseWrittenAsGiven, {std::vector<std::string>{name_of(stated)}}};
   return {Code::kPoseWrittenAsDerived, {name_of(stated), others}};
 }
 

@@ -3,7 +3,7 @@
 // barrier, from 20 random starts, over every pixel. Shares no code with the library's fits.
 #pragma once
 
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/models/camera_model.h>
 #include <fca/rig/rig.h>
 
@@ -22,13 +22,13 @@ namespace fca::test {
 /// What of a camera's image lies inside an angle.
 class Cone {
  public:
-  Cone(const Camera& camera, double angle_rad) : reach_(std::tan(angle_rad)), centre_(principal_point(camera.model)) {
+  Cone(const Camera& camera, double angle_rad) : largest_tangent_(std::tan(angle_rad)), centre_(principal_point(camera.model)) {
     Diagnostics diagnostics;
-    const std::optional<Domain> domain = domain_of(camera, angle_rad, diagnostics);
-    if (!domain) return;
+    const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, angle_rad, diagnostics);
+    if (!field_of_view) return;
     const Lens lens(camera.model);
-    for (int v = 0; v < domain->size.height; ++v) {
-      for (int u = 0; u < domain->size.width; ++u) add(*domain, lens, {1.0 * u, 1.0 * v});
+    for (int v = 0; v < field_of_view->size.height; ++v) {
+      for (int u = 0; u < field_of_view->size.width; ++u) add(*field_of_view, lens, {1.0 * u, 1.0 * v});
     }
     for (Moments& axis : moments_) axis /= static_cast<double>(points_.size());
   }
@@ -38,7 +38,7 @@ class Cone {
   using Moments = Eigen::Matrix<double, 8, 8>;
   [[nodiscard]] const std::array<Moments, 2>& moments() const { return moments_; }
   [[nodiscard]] const Pixel& centre() const { return centre_; }
-  [[nodiscard]] double reach() const { return reach_; }  ///< tan of the angle.
+  [[nodiscard]] double largest_tangent() const { return largest_tangent_; }  ///< tan of the angle.
 
   /// Of a model in px; infinite where a pixel's ray has none in it.
   [[nodiscard]] double rms_of(const CameraModel& model) const {
@@ -57,8 +57,8 @@ class Cone {
     Pixel pixel;
   };
 
-  void add(const Domain& domain, const Lens& lens, const Pixel& pixel) {
-    const std::optional<Ray> ray = domain.ray(lens, pixel);
+  void add(const FieldOfView& field_of_view, const Lens& lens, const Pixel& pixel) {
+    const std::optional<Ray> ray = field_of_view.ray(lens, pixel);
     if (!ray) return;
     points_.push_back({*ray, pixel});
     const double x = (*ray)[0] / (*ray)[2];
@@ -71,7 +71,7 @@ class Cone {
     moments_[1] += of_v * of_v.transpose();
   }
 
-  double reach_;
+  double largest_tangent_;
   Pixel centre_;
   std::vector<Point> points_;
   std::array<Moments, 2> moments_ = {Moments::Zero(), Moments::Zero()};
@@ -129,12 +129,12 @@ class BarrierFit {
       const Eigen::Matrix<double, 8, 1> product = cone_.moments()[static_cast<std::size_t>(axis)] * a;
       sum += a.dot(product);
       if (gradient == nullptr) continue;
-      Eigen::Matrix<double, 8, 9> slopes = Eigen::Matrix<double, 8, 9>::Zero();
-      slopes.col(axis) << 1.0, p[4], p[5], p[6], p[7], p[8], 0.0, 0.0;
-      for (const int i : {4, 5, 6, 7, 8}) slopes(i - 3, i) = f;
-      slopes(6, 2 + axis) = 1.0;
-      *gradient += slopes.transpose() * product;
-      *matrix += slopes.transpose() * cone_.moments()[static_cast<std::size_t>(axis)] * slopes;
+      Eigen::Matrix<double, 8, 9> derivatives = Eigen::Matrix<double, 8, 9>::Zero();
+      derivatives.col(axis) << 1.0, p[4], p[5], p[6], p[7], p[8], 0.0, 0.0;
+      for (const int i : {4, 5, 6, 7, 8}) derivatives(i - 3, i) = f;
+      derivatives(6, 2 + axis) = 1.0;
+      *gradient += derivatives.transpose() * product;
+      *matrix += derivatives.transpose() * cone_.moments()[static_cast<std::size_t>(axis)] * derivatives;
     }
     return sum;
   }
@@ -146,21 +146,21 @@ class BarrierFit {
     const double length = std::sqrt(p[6] * p[6] + p[7] * p[7] + kRounded * kRounded);
     double sum = 0.0;
     for (int place = 1; place <= kPlaces; ++place) {
-      const double r = cone_.reach() * place / kPlaces;
+      const double r = cone_.largest_tangent() * place / kPlaces;
       const double s = r * r;
       for (const std::array<double, 4>& c : {std::array{3.0, 5.0, 7.0, 6.0}, std::array{1.5, 2.0, 2.5, 4.0}}) {
         const double value = 1.0 + c[0] * p[4] * s + c[1] * p[5] * s * s + c[2] * p[8] * s * s * s - c[3] * length * r;
         if (!(value > 0.0)) return HUGE_VAL;
         sum -= std::log(value);
         if (gradient == nullptr) continue;
-        Vector slope = Vector::Zero();
-        slope[4] = c[0] * s;
-        slope[5] = c[1] * s * s;
-        slope[8] = c[2] * s * s * s;
+        Vector derivative = Vector::Zero();
+        derivative[4] = c[0] * s;
+        derivative[5] = c[1] * s * s;
+        derivative[8] = c[2] * s * s * s;
         const Eigen::Vector2d direction = p.segment<2>(6) / length;
-        slope.segment<2>(6) = -c[3] * r * direction;
-        *gradient -= 0.5 * weight / value * slope;
-        *matrix += 0.5 * weight / (value * value) * slope * slope.transpose();
+        derivative.segment<2>(6) = -c[3] * r * direction;
+        *gradient -= 0.5 * weight / value * derivative;
+        *matrix += 0.5 * weight / (value * value) * derivative * derivative.transpose();
         matrix->block<2, 2>(6, 6) +=
             0.5 * weight / value * c[3] * r / length * (Eigen::Matrix2d::Identity() - direction * direction.transpose());
       }
@@ -168,7 +168,7 @@ class BarrierFit {
     return sum;
   }
 
-  /// A Newton step, halved until it leads down; false at the bottom.
+  /// A Newton step, halved until it leads down; false at the minimum.
   bool descend(double weight, Vector& p) const {
     constexpr double kNothing = 1e-9;
     constexpr double kShortest = 1e-8;

@@ -20,8 +20,8 @@ namespace {
 constexpr double kNoticeableDeg = 0.5;
 
 /// The largest angle from the axis that counts, in degrees.
-double domain_deg(const DrawnCamera& camera, const ImageField* angles) {
-  if (camera.judgement != nullptr) return camera.judgement->coverage.max_angle_deg;
+double field_of_view_deg(const DrawnCamera& camera, const ImageField* angles) {
+  if (camera.statistics != nullptr) return camera.statistics->coverage.max_angle_deg;
   if (angles != nullptr) return angle_scale(*angles).to;
   constexpr double kUsual = 90.0;
   return std::min(kUsual, max_angle(camera.source.model) * kDegreesPerRadian);
@@ -46,10 +46,10 @@ Curve law_of(double to_deg, const char* style, const char* name, Law&& radius) {
   return curve;
 }
 
-Chart radius_chart(const DrawnCamera& camera, double domain) {
-  constexpr double kBeyond = 1.06;  // what lies behind the domain's end shows how a model goes on
+Chart radius_chart(const DrawnCamera& camera, double field_of_view) {
+  constexpr double kBeyond = 1.06;  // what lies behind the field of view's end shows how a model goes on
   constexpr double kWhole = 180.0;
-  const double to = std::min(kWhole, kBeyond * domain);
+  const double to = std::min(kWhole, kBeyond * field_of_view);
   Chart chart;
   chart.title = "Radius over angle";
   chart.what = "Distance from the principal point over the angle from the axis, for " + camera.source.name;
@@ -71,8 +71,8 @@ Chart radius_chart(const DrawnCamera& camera, double domain) {
   }
   constexpr double kAbove = 1.05;
   chart.y = {"px from the principal point", 0.0, farthest > 0.0 ? kAbove * farthest : 1.0};
-  chart.marks.push_back({domain, "view ends"});
-  if (camera.judgement != nullptr && camera.scored_to_deg < domain - kNoticeableDeg)
+  chart.marks.push_back({field_of_view, "view ends"});
+  if (camera.statistics != nullptr && camera.scored_to_deg < field_of_view - kNoticeableDeg)
     chart.marks.push_back({camera.scored_to_deg, "scored to here"});
   return chart;
 }
@@ -97,12 +97,12 @@ Profile profile_of(const DrawnCamera& camera, const Transform* rotation) {
   return profile;
 }
 
-Curve curve_of_bands(const Judgement& judgement, double scored_to_deg) {
+Curve curve_of_bands(const ErrorStatistics& statistics, double scored_to_deg) {
   Curve curve{"reference", "rms of the table's bands", {}};
-  for (const ErrorBand& band : judgement.bands) {
+  for (const ErrorBand& band : statistics.bands) {
     if (band.share <= 0.0) continue;
     curve.points.push_back({band.from_deg, band.rms_px});
-    curve.points.push_back({std::min({band.to_deg, judgement.coverage.max_angle_deg, scored_to_deg}), band.rms_px});
+    curve.points.push_back({std::min({band.to_deg, statistics.coverage.max_angle_deg, scored_to_deg}), band.rms_px});
   }
   return curve;
 }
@@ -112,10 +112,10 @@ Curve uncertainty_of_bands(const DrawnCamera& camera) {
   const bool is_limit = camera.uncertainty->is_limit;
   Curve curve{
       "reference dotted", is_limit ? "calibration's own uncertainty, at most" : "calibration's own uncertainty, 1 sigma", {}};
-  const std::vector<ErrorBand>& bands = camera.judgement->bands;
+  const std::vector<ErrorBand>& bands = camera.statistics->bands;
   for (std::size_t i = 0; i < std::min(bands.size(), camera.uncertainty->bands_px.size()); ++i) {
     if (bands[i].share <= 0.0 || camera.uncertainty->bands_px[i] <= 0.0) continue;
-    const double end = std::min({bands[i].to_deg, camera.judgement->coverage.max_angle_deg, camera.scored_to_deg});
+    const double end = std::min({bands[i].to_deg, camera.statistics->coverage.max_angle_deg, camera.scored_to_deg});
     curve.points.push_back({bands[i].from_deg, camera.uncertainty->bands_px[i]});
     curve.points.push_back({end, camera.uncertainty->bands_px[i]});
   }
@@ -123,16 +123,16 @@ Curve uncertainty_of_bands(const DrawnCamera& camera) {
 }
 
 Chart error_chart(const DrawnCamera& camera) {
-  const Judgement& judgement = *camera.judgement;
+  const ErrorStatistics& statistics = *camera.statistics;
   Chart chart;
   chart.title = camera.distance + " over angle";
   chart.what = camera.distance + " in pixels over the angle from the axis, for " + camera.source.name;
   const Profile profile = profile_of(camera, camera.turn);
-  chart.curves = {curve_of_bands(judgement, camera.scored_to_deg),
+  chart.curves = {curve_of_bands(statistics, camera.scored_to_deg),
                   {"max", "worst direction", profile.worst},
                   {"rms", "rms around the axis", profile.rms}};
   double smallest = profile.smallest;
-  double highest = std::max(profile.largest, judgement.error.max);
+  double highest = std::max(profile.largest, statistics.error.max);
   if (camera.uncertainty != nullptr) {
     chart.curves.push_back(uncertainty_of_bands(camera));
     for (const auto& point : chart.curves.back().points) {
@@ -149,20 +149,20 @@ Chart error_chart(const DrawnCamera& camera) {
   const double largest = std::clamp(highest, kSeenError, kLargestError);
   const double to = std::pow(10.0, std::ceil(std::log10(largest)));
   const double from = std::pow(10.0, std::floor(std::log10(std::clamp(smallest, to / kMostDecades, 0.1 * to))));
-  chart.x = {"deg from the axis", 0.0, judgement.coverage.max_angle_deg};
+  chart.x = {"deg from the axis", 0.0, statistics.coverage.max_angle_deg};
   chart.y = {"px", from, to, true};
   if (camera.scored_to_deg < chart.x.to - kNoticeableDeg) chart.marks.push_back({camera.scored_to_deg, "scored to here"});
   return chart;
 }
 
 std::optional<MapFigure> error_map(const DrawnCamera& camera) {
-  const double reach = camera.scored_to_deg / kDegreesPerRadian;
+  const double max_angle_rad = camera.scored_to_deg / kDegreesPerRadian;
   std::optional<ImageField> field =
-      error_field(camera.source, *camera.target, camera.limit_rad, reach, kPictureCells, camera.turn);
+      error_field(camera.source, *camera.target, camera.limit_rad, max_angle_rad, kPictureCells, camera.turn);
   std::optional<ImageField> coarse =
-      error_field(camera.source, *camera.target, camera.limit_rad, reach, kContourCells, camera.turn);
+      error_field(camera.source, *camera.target, camera.limit_rad, max_angle_rad, kContourCells, camera.turn);
   if (!field || !coarse) return std::nullopt;
-  const ErrorSummary& error = camera.judgement->error;
+  const ErrorSummary& error = camera.statistics->error;
   MapFigure figure;
   figure.title = camera.distance + " over the image";
   figure.what = camera.distance + " in pixels of " + camera.target_label + " over the image of " + camera.source.name;
@@ -195,8 +195,8 @@ std::optional<MapFigure> angle_map(const DrawnCamera& camera) {
 void put_bands(Html& html, const DrawnCamera& camera) {
   Table table{{"deg from the axis", "share", "rms px", "max px"}, {}, "numbers"};
   if (camera.rotated != nullptr) table.titles.insert(table.titles.end(), {"turned rms", "turned max"});
-  for (std::size_t i = 0; i < camera.judgement->bands.size(); ++i) {
-    const ErrorBand& band = camera.judgement->bands[i];
+  for (std::size_t i = 0; i < camera.statistics->bands.size(); ++i) {
+    const ErrorBand& band = camera.statistics->bands[i];
     if (band.share <= 0.0) continue;
     std::vector<std::string>& row = table.rows.emplace_back();
     const std::optional<ImageSize>& size = camera.source.image_size;
@@ -217,21 +217,21 @@ void put_bands(Html& html, const DrawnCamera& camera) {
 }  // namespace
 
 bool DrawnCamera::errs() const {
-  return target != nullptr && judgement != nullptr &&
-         (judgement->error.max > kSeenError || judgement->coverage.unrepresentable > 0.0);
+  return target != nullptr && statistics != nullptr &&
+         (statistics->error.max > kSeenError || statistics->coverage.unrepresentable > 0.0);
 }
 
 void put_figures(Html& html, const DrawnCamera& camera) {
   const bool errs = camera.errs();
   const std::optional<MapFigure> map = errs ? error_map(camera) : angle_map(camera);
-  const double domain = domain_deg(camera, map && !errs ? &map->field : nullptr);
+  const double field_of_view = field_of_view_deg(camera, map && !errs ? &map->field : nullptr);
   html.element("div", {{"class", "figures"}}, [&] {
     html.element("div", {{"class", "stack"}}, [&] {
       if (map) put_map(html, *map);
       if (errs) put_bands(html, camera);
     });
     html.element("div", {{"class", "stack"}}, [&] {
-      put_chart(html, radius_chart(camera, domain));
+      put_chart(html, radius_chart(camera, field_of_view));
       if (errs) put_chart(html, error_chart(camera));
     });
   });

@@ -19,16 +19,16 @@ struct DrawnCamera {
   /// The one beside it, in the same pixels; null: none, or the same.
   const CameraModel* target = nullptr;
   std::string target_label = {};
-  const Judgement* judgement = nullptr;  ///< Of the two; null where there is none.
-  double scored_to_deg = 0.0;            ///< Nothing further from the axis was scored.
-  std::string distance = "Error";        ///< What the judgement is about: "Error", "Difference".
-  const Transform* turn = nullptr;       ///< Takes the source's rays to the target's; null: they have the same frame.
+  const ErrorStatistics* statistics = nullptr;  ///< Of the two; null where there is none.
+  double scored_to_deg = 0.0;                   ///< Nothing further from the axis was scored.
+  std::string distance = "Error";               ///< What the statistics are about: "Error", "Difference".
+  const Transform* turn = nullptr;              ///< Takes the source's rays to the target's; null: they have the same frame.
 
   const PixelUncertainty* uncertainty = nullptr;  ///< The source's own; null: not known.
 
   /// The rotation that brings the two nearest to each other (takes the source's rays to the target's); null: none is drawn.
   const Transform* rotation = nullptr;
-  const Judgement* rotated = nullptr;  ///< With it undone.
+  const ErrorStatistics* rotated = nullptr;  ///< With it undone.
 
   std::optional<double> limit_rad = {};  ///< What counts as lens, as it was given (--max-angle).
 

@@ -3,8 +3,8 @@
 
 #include "camera_figures.h"
 #include "commands/convert/convert_command.h"
-#include "shell/judgement_text.h"
 #include "shell/option_hints.h"
+#include "shell/statistics_text.h"
 #include "shell/uncertainty_text.h"
 #include "shell/words.h"
 #include "table.h"
@@ -50,7 +50,7 @@ void put_parameters(Html& html, const ShownCamera& camera) {
   if (!camera.kept()) put("to ", camera.outcome->target.model);
 }
 
-void put_judgement(Html& html, const ShownCamera& camera) {
+void put_statistics(Html& html, const ShownCamera& camera) {
   const auto line = [&html](const char* what, const std::string& text) {
     html.element("p", {}, [&] {
       html.element("span", {{"class", "soft"}}, what);
@@ -62,9 +62,9 @@ void put_judgement(Html& html, const ShownCamera& camera) {
     return;
   }
   const ConversionReport& report = *camera.report();
-  const Judgement& j = report.judgement;
+  const ErrorStatistics& j = report.statistics;
   const std::string scored = camera.kept() ? "" : "; " + coverage_text(j.coverage, report.scored_to_deg);
-  line("field of view: ", domain_in_words(j.coverage) + scored);
+  line("field of view: ", field_of_view_in_words(j.coverage) + scored);
   if (const std::string own = uncertainty_in_words(report); !own.empty()) line("against: ", own);
   if (camera.kept()) {
     line("error: ", "none: the same model and parameters");
@@ -77,12 +77,12 @@ void put_judgement(Html& html, const ShownCamera& camera) {
   if (!report.at_bound.empty()) line("at the edge of its range: ", enumerated(report.at_bound));
 }
 
-void put_reach(Html& html, const std::vector<ReachRow>& rows) {
+void put_max_angles(Html& html, const std::vector<MaxAngleRow>& rows) {
   if (rows.empty()) return;
   html.element("details", {}, [&] {
     html.element("summary", {}, "If the lens ends earlier and the corners are black: the errors with --max-angle");
     Table table{{"--max-angle", "share", "rms px", "max px", "scored to"}, {}, "numbers"};
-    for (const ReachRow& row : rows) {
+    for (const MaxAngleRow& row : rows) {
       table.rows.push_back({text::format_short(row.max_angle_deg, 4), percent(row.scored), pixels(row.rms_px),
                             pixels(row.max_px), text::format_short(row.scored_to_deg, 4)});
     }
@@ -99,12 +99,12 @@ void put_camera(Html& html, const ShownCamera& camera, std::optional<double> lim
                  "No camera: " + enumerated(text::texts_of(validate(camera.source.model), with_options)));
     return;
   }
-  put_judgement(html, camera);
+  put_statistics(html, camera);
   put_parameters(html, camera);
   DrawnCamera drawn{camera.source, std::string(camera.source.lens_id())};
   drawn.limit_rad = limit_rad;
   if (const ConversionReport* report = camera.report()) {
-    drawn.judgement = &report->judgement;
+    drawn.statistics = &report->statistics;
     drawn.scored_to_deg = report->scored_to_deg;
     if (report->turn) drawn.turn = &report->turn->T_target_source;
     if (report->uncertainty) drawn.uncertainty = &*report->uncertainty;
@@ -115,7 +115,7 @@ void put_camera(Html& html, const ShownCamera& camera, std::optional<double> lim
     drawn.target_label = id == drawn.source_label ? id + " as converted" : id;
   }
   put_figures(html, drawn);
-  if (drawn.errs()) put_reach(html, camera.report()->reach);
+  if (drawn.errs()) put_max_angles(html, camera.report()->max_angles);
 }
 
 /// What was written of that camera; a conversion may leave some out.

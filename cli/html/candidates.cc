@@ -63,7 +63,7 @@ void put_candidate_table(Html& html, const std::vector<Candidate>& candidates, c
            "not fitted: " + (why.empty() ? "it does not describe the lens" : message_of(why.back(), with_options))});
       continue;
     }
-    const Judgement& j = candidate.conversion->report.judgement;
+    const ErrorStatistics& j = candidate.conversion->report.statistics;
     const bool exact = candidate.conversion->report.exact;
     table.rows.push_back({id,
                           exact                    ? "exact"
@@ -82,13 +82,13 @@ void put_errors(Html& html, const Camera& camera, const std::vector<Candidate>& 
   chart.title = "Error over angle: rms around the axis";
   chart.what = "Error of each model over the angle from the axis, for " + camera.name;
   double largest = 0.0;
-  double domain = 0.0;
+  double field_of_view = 0.0;
   std::size_t colour = 0;
   constexpr std::size_t kMostCurves = 4;
   for (const Candidate* candidate : ranked(candidates)) {
     if (candidate->conversion->report.exact || chart.curves.size() == kMostCurves) continue;
     const ConversionReport& report = candidate->conversion->report;
-    domain = std::max(domain, report.judgement.coverage.max_angle_deg);
+    field_of_view = std::max(field_of_view, report.statistics.coverage.max_angle_deg);
     Curve curve{"c" + std::to_string(colour++), std::string(candidate->model->id), {}};
     for (const ProfilePoint& point :
          error_profile(camera, candidate->conversion->camera.model, report.scored_to_deg / kDegreesPerRadian)) {
@@ -100,7 +100,7 @@ void put_errors(Html& html, const Camera& camera, const std::vector<Candidate>& 
   if (!(largest > 0.0)) return;
   constexpr double kDecades = 1e6;
   const double to = std::pow(10.0, std::ceil(std::log10(std::min(largest, kLargestError))));
-  chart.x = {"deg from the axis", 0.0, domain};
+  chart.x = {"deg from the axis", 0.0, field_of_view};
   chart.y = {"error, px", to / kDecades, to, true};
   put_chart(html, chart);
 }

@@ -6,8 +6,8 @@
 #include "rig_drawing.h"
 #include "said.h"
 #include "shell/difference_words.h"
-#include "shell/judgement_text.h"
 #include "shell/option_hints.h"
+#include "shell/statistics_text.h"
 #include "shell/words.h"
 #include "table.h"
 
@@ -29,7 +29,7 @@ std::string both_names(const CameraComparison& camera) {
 void put_tiles(Html& html, const RigComparison& comparison) {
   html.element("div", {{"class", "tiles"}}, [&] {
     for (const CameraComparison& camera : comparison.cameras) {
-      const ErrorSummary& error = camera.decisive().judgement.error;
+      const ErrorSummary& error = camera.decisive().statistics.error;
       html.element("div", {{"class", "tile"}}, [&] {
         html.element("div", {{"class", "soft"}}, both_names(camera));
         html.element("div", {{"class", "big"}},
@@ -58,19 +58,19 @@ void put_words(Html& html, const CameraComparison& camera) {
     return;
   }
   const CameraDifference& difference = camera.difference;
-  const Coverage& coverage = difference.judgement.coverage;
-  put_line(html, "field of view: ", domain_in_words(coverage) + "; " + coverage_text(coverage, camera.scored_to_deg));
+  const Coverage& coverage = difference.statistics.coverage;
+  put_line(html, "field of view: ", field_of_view_in_words(coverage) + "; " + coverage_text(coverage, camera.scored_to_deg));
   put_line(html, "difference: ",
-           error_text(difference.judgement, camera.size) + "; rms " + pixels(difference.angle.rms_deg) + " deg, max " +
+           error_text(difference.statistics, camera.size) + "; rms " + pixels(difference.angle.rms_deg) + " deg, max " +
                pixels(difference.angle.max_deg) + " deg");
   put_line(html, "", same_in_words(difference));
   if (camera.focus) {
     put_line(html, "focus: ",
              "up to " + fixed(camera.focus->max_angle_deg, 1) +
-                 " deg from the axis: " + error_text(camera.focus->difference.judgement, camera.size));
+                 " deg from the axis: " + error_text(camera.focus->difference.statistics, camera.size));
   }
-  if (!turning_helps(camera) || is_larger_than(camera.counted_rotated()->judgement, camera.size)) return;
-  const ErrorSummary& turned = camera.counted_rotated()->judgement.error;
+  if (!turning_helps(camera) || is_larger_than(camera.counted_rotated()->statistics, camera.size)) return;
+  const ErrorSummary& turned = camera.counted_rotated()->statistics.error;
   put_line(html, "rotation between them: ",
            rotation_in_words(*camera.rotated) + "; with that undone rms " + pixels(turned.rms, camera.size) + " px, max " +
                pixels(turned.max, camera.size) + " px");
@@ -116,13 +116,13 @@ void put_camera(Html& html, const CameraComparison& compared, const Rig& referen
   if (!compared.identical) {
     drawn.target = &target->model;
     drawn.target_label = "compared (" + compared.other_model + ")";
-    drawn.judgement = &compared.difference.judgement;
+    drawn.statistics = &compared.difference.statistics;
     drawn.scored_to_deg = compared.scored_to_deg;
     drawn.distance = "Difference";
     // The curve is drawn for points infinitely far away.
     if (turning_helps(compared) && !compared.rotated->distance_m) {
       drawn.rotation = &compared.rotated->T_other_reference;
-      drawn.rotated = &compared.rotated->difference.judgement;
+      drawn.rotated = &compared.rotated->difference.statistics;
     }
   }
   put_figures(html, drawn);

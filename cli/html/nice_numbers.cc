@@ -13,7 +13,7 @@ namespace fca::cli {
 namespace {
 
 constexpr std::array kSteps = {1.0, 2.0, 5.0, 10.0};
-/// What rounding may make of a round number.
+/// How far rounding may move a round number.
 constexpr double kSlack = 1e-9;
 
 double power_below(double value) { return std::pow(10.0, std::floor(std::log10(value) + kSlack)); }

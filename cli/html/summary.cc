@@ -2,8 +2,8 @@
 #include "sections.h"
 
 #include "commands/convert/convert_command.h"
-#include "shell/judgement_text.h"
 #include "shell/option_hints.h"
+#include "shell/statistics_text.h"
 #include "shell/verdict_text.h"
 #include "shell/words.h"
 #include "table.h"
@@ -40,10 +40,10 @@ void put_conversion_tile(Html& html, const ConvertResult& result, const Converte
     return;
   }
   const ConversionReport& report = *camera.report;
-  const ErrorSummary& error = report.judgement.error;
+  const ErrorSummary& error = report.statistics.error;
   std::vector<std::string> lines = {
       "worst pixel " + pixels(error.max) + " px at (" + fixed(error.max_at[0], 1) + ", " + fixed(error.max_at[1], 1) + ")",
-      coverage_text(report.judgement.coverage, report.scored_to_deg)};
+      coverage_text(report.statistics.coverage, report.scored_to_deg)};
   if (const CameraDistance* distance = distance_of(result, camera)) {
     lines.push_back("as the program reads it: " + distance_in_words(distance->in_circle) + " in the inscribed circle, " +
                     distance_in_words(distance->in_image) + " " + std::string(image_in_words(*distance)));

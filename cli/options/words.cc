@@ -2,10 +2,10 @@
 #include "words.h"
 
 #include <fca/code.h>
-#include <fca/folded_name.h>
 #include <fca/formats/program_names.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
+#include <fca/normalised_id.h>
 #include <fca/toolkit/programs.h>
 #include <fca/toolkit/target.h>
 
@@ -147,7 +147,7 @@ std::optional<std::string> take_target(const std::string& word, ConvertRequest& 
 
 std::optional<std::string> take_model(const std::string& word, const ModelInfo*& target) {
   // The name by which ORB-SLAM3's files call a pinhole: images become rectified by more than a model.
-  if (folded(word) == "rectified") {
+  if (normalised_id(word) == "rectified") {
     return "--model rectified would change the lens and not the images; fca-io rectify FILE --to orbslam3 rectifies a pair and "
            "writes its settings";
   }

@@ -73,7 +73,7 @@ std::vector<ModelRow> models_of(const Camera& camera, const std::optional<double
   std::vector<ModelRow> rows;
   for (const Candidate* candidate : ranked(found->front().candidates)) {
     const ConversionReport& report = candidate->conversion->report;
-    rows.push_back({std::string(candidate->model->id), report.judgement.error, candidate->decisive().rms, report.exact,
+    rows.push_back({std::string(candidate->model->id), report.statistics.error, candidate->decisive().rms, report.exact,
                     reaches_all(*candidate)});
   }
   return rows;
@@ -87,10 +87,10 @@ void add_compare(py::module_& module) {
       .def_readonly("other", &CameraComparison::other, "Name.")
       .def_readonly("identical", &CameraComparison::identical, "The same pixels, but for rounding.")
       .def_property_readonly(
-          "error", [](const CameraComparison& each) { return each.difference.judgement.error; },
+          "error", [](const CameraComparison& each) { return each.difference.statistics.error; },
           "PixelError over the whole image.")
       .def_property_readonly(
-          "decisive_error", [](const CameraComparison& each) { return each.decisive().judgement.error; },
+          "decisive_error", [](const CameraComparison& each) { return each.decisive().statistics.error; },
           "PixelError that counts: in focus, and without a turn that the poses cancel.")
       .def_property_readonly(
           "rotation",

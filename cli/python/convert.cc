@@ -47,7 +47,7 @@ void save_into(const ConvertResult& result, const py::object& folder, bool force
 }
 
 std::optional<ErrorSummary> error_of(const ConvertedCamera& camera) {
-  return camera.report ? std::optional(camera.report->judgement.error) : std::nullopt;
+  return camera.report ? std::optional(camera.report->statistics.error) : std::nullopt;
 }
 
 /// Of a camera's pixels and, where its correlations are known, of the written parameters.

@@ -65,7 +65,7 @@ void add_fit(py::module_& module) {
   py::class_<Fit>(module, "Fit", "A fitted camera, and how far it is from its source.")
       .def_readonly("camera", &Fit::camera, "Of the model that was asked for.")
       .def_property_readonly(
-          "error", [](const Fit& fit) { return fit.report.judgement.error; }, "PixelError.")
+          "error", [](const Fit& fit) { return fit.report.statistics.error; }, "PixelError.")
       .def_property_readonly(
           "weighted_rms",
           [](const Fit& fit) { return fit.report.weighted ? std::optional(fit.report.weighted->rms_px) : std::nullopt; },
@@ -74,10 +74,10 @@ void add_fit(py::module_& module) {
           "exact", [](const Fit& fit) { return fit.report.exact; },
           "The model contains the source: the same pixels by construction.")
       .def_property_readonly(
-          "scored", [](const Fit& fit) { return fit.report.judgement.coverage.scored; },
+          "scored", [](const Fit& fit) { return fit.report.statistics.coverage.scored; },
           "Share of the image that was compared, 0 to 1.")
       .def_property_readonly(
-          "unrepresentable", [](const Fit& fit) { return fit.report.judgement.coverage.unrepresentable; },
+          "unrepresentable", [](const Fit& fit) { return fit.report.statistics.coverage.unrepresentable; },
           "Share of the image that the model cannot reach.")
       .def_property_readonly(
           "max_angle", [](const Fit& fit) { return fit.report.scored_to_deg; },

@@ -87,7 +87,7 @@ Fit fit_to(const Table& table, const Table& all, const ModelInfo& info, const st
   {
     const py::gil_scoped_release released;
     model = fitted(table, *centre, info.id, reaches_all);
-    if (model) result.report.judgement.error = judge(all, [&model](const Ray& ray) { return project(*model, ray); });
+    if (model) result.report.statistics.error = evaluate(all, [&model](const Ray& ray) { return project(*model, ray); });
   }
   if (!model) raise_value_error("no camera of " + std::string(info.id) + " has such rays");
   if (!reaches_all) {
@@ -104,8 +104,8 @@ Fit fit_to(const Table& table, const Table& all, const ModelInfo& info, const st
   result.camera.name = "cam0";
   result.camera.model = *model;
   result.camera.image_size = size_of(image_size);
-  result.report.judgement.coverage.scored = reached;
-  result.report.judgement.coverage.unrepresentable = std::max(0.0, 1.0 - reached);
+  result.report.statistics.coverage.scored = reached;
+  result.report.statistics.coverage.unrepresentable = std::max(0.0, 1.0 - reached);
   result.report.scored_to_deg = furthest * kDegreesPerRadian;
   return result;
 }
@@ -116,9 +116,9 @@ Fit fit_to_function(const py::function& rays_of, const ModelInfo& model, const S
                     const std::optional<double>& max_angle_rad) {
   const ImageSize size = *size_of(image_size);
   constexpr int kFitted = 80;  // along the longer side
-  constexpr int kJudged = 200;
+  constexpr int kEvaluated = 200;
   const Table table = asked(rays_of, size, kFitted, max_angle_rad);
-  return fit_to(table, asked(rays_of, size, kJudged, max_angle_rad), model, image_size);
+  return fit_to(table, asked(rays_of, size, kEvaluated, max_angle_rad), model, image_size);
 }
 
 Fit fit_to_table(const Array& rays, const Array& pixels, const ModelInfo& model, const std::optional<Size>& image_size,

@@ -27,7 +27,7 @@ void Console::say(std::string_view text, VerdictWord word) const {
   out(shows_colour(streams_->out) ? with_colour(shown, word) : shown);
 }
 
-void Console::say_aside(std::string_view text, VerdictWord word) const {
+void Console::print_stderr(std::string_view text, VerdictWord word) const {
   const std::string shown = text::printable(text, true);
   err(shows_colour(streams_->err) ? with_colour(shown, word) : shown);
 }

@@ -43,10 +43,10 @@ class Console {
   void promise_json(JsonShape shape) { promised_ = shape; }
   /// Text for people, without control characters that a file may have brought in; to stdout, or beside it to stderr.
   void say(std::string_view text) const { out(text::printable(text, true)); }
-  void say_aside(std::string_view text) const { err(text::printable(text, true)); }
+  void print_stderr(std::string_view text) const { err(text::printable(text, true)); }
   /// The same of text that tells a verdict, which has its colour on a terminal unless NO_COLOR is set.
   void say(std::string_view text, VerdictWord word) const;
-  void say_aside(std::string_view text, VerdictWord word) const;
+  void print_stderr(std::string_view text, VerdictWord word) const;
   /// Bytes as they are.
   void out(std::string_view text) const;
   void err(std::string_view text) const;

@@ -8,7 +8,7 @@ namespace fca::cli {
 /// Part of the command's contract. Of several inputs, the largest is returned.
 enum class ExitCode {
   kGood = 0,
-  kJudgedBad = 1,  ///< Error limit exceeded, proof failed, --strict with a loss: nothing is written.
+  kRejected = 1,  ///< Error limit exceeded, proof failed, --strict with a loss: nothing is written.
   kBadInput = 2,
   kUsage = 3,
   kIo = 4,
@@ -23,7 +23,7 @@ enum class ExitCode {
     case Status::kDone:
       return ExitCode::kGood;
     case Status::kRejected:
-      return ExitCode::kJudgedBad;
+      return ExitCode::kRejected;
     case Status::kBadInput:
       return ExitCode::kBadInput;
     case Status::kBadRequest:

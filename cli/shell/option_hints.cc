@@ -24,7 +24,7 @@ constexpr std::string_view kFromKalibr =
 constexpr std::string_view kIntoConfiguration = "--into CONFIG.yaml -o FOLDER/ writes it into VINS-Fusion's own configuration";
 
 constexpr std::array kHints = {
-    OptionHint{Code::kImageSizeNotStated, text::Part::kFix, "give the image size: --size WIDTHxHEIGHT"},
+    OptionHint{Code::kImageSizeNotGiven, text::Part::kFix, "give the image size: --size WIDTHxHEIGHT"},
     OptionHint{Code::kSizeUnlikeCentre, text::Part::kFix,
                "correct the size in the file to that of the images that were calibrated (--size, where it contains none); for "
                "images that were scaled since, with --resize {3}x{4}"},
@@ -47,8 +47,8 @@ constexpr std::array kHints = {
     OptionHint{Code::kParameterUnusual, text::Part::kFix,
                "--fix {2}={5:.3} keeps it within the range, or another --model may need no such number: programs that search "
                "from it may fail"},
-    OptionHint{Code::kDomainGiven, text::Part::kText, "given (--max-angle)"},
-    OptionHint{Code::kDomainInsideGiven, text::Part::kText, "the whole image (it ends before --max-angle)"},
+    OptionHint{Code::kFieldOfViewGiven, text::Part::kText, "given (--max-angle)"},
+    OptionHint{Code::kFieldOfViewInsideGiven, text::Part::kText, "the whole image (it ends before --max-angle)"},
     OptionHint{Code::kSigmaUnknown, text::Part::kFix,
                "set the limit in pixels (--max-error PX), or give the covariance of the camera's parameters (--with FILE)"},
     // Comparison.
@@ -93,10 +93,10 @@ constexpr std::array kHints = {
         "if the numbers are nevertheless one of theirs, name the model: --opencv-model pinhole or --opencv-model fisheye"},
     OptionHint{Code::kOpencvAmbiguousModel, text::Part::kFix,
                "name the model: --opencv-model pinhole or --opencv-model fisheye"},
-    OptionHint{Code::kOpencvToldInVain, text::Part::kText,
+    OptionHint{Code::kOpencvGivenInVain, text::Part::kText,
                "{0}: --opencv-model fisheye, which is for four coefficients, has no effect on this camera"},
     OptionHint{Code::kOpencvWrittenAmbiguous, text::Part::kFix, "--opencv-model {0} reads it so"},
-    OptionHint{Code::kOpencvUnitsNotStated, text::Part::kFix, "--unit mm if they are millimetres"},
+    OptionHint{Code::kOpencvUnitsNotGiven, text::Part::kFix, "--unit mm if they are millimetres"},
     OptionHint{Code::kOpencvLayoutNotServed, text::Part::kFix, "leave out --opencv-layout, or choose {2}"},
     OptionHint{Code::kOpencvImuDropped, text::Part::kFix, "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one"},
     OptionHint{Code::kOpencvCameraDropped, text::Part::kFix,
@@ -168,8 +168,8 @@ constexpr std::array kHints = {
                "name the file .yaml, which holds it, or convert the camera with --model radtan"},
 
     // What a check finds.
-    OptionHint{Code::kImageNotJudged, text::Part::kWhy, "the file contains no image size: give --size WxH"},
-    OptionHint{Code::kSizeToldDiffers, text::Part::kFix, "give --size only for files that contain no size"},
+    OptionHint{Code::kImageNotEvaluated, text::Part::kWhy, "the file contains no image size: give --size WxH"},
+    OptionHint{Code::kSizeGivenDiffers, text::Part::kFix, "give --size only for files that contain no size"},
     OptionHint{Code::kAsLensNoSize, text::Part::kText, "; as {0}: field of view unknown without the image size (--size)"},
     OptionHint{
         Code::kUndistortionDiverges, text::Part::kFix,
@@ -178,7 +178,7 @@ constexpr std::array kHints = {
     OptionHint{Code::kConvertFor, text::Part::kText, "fca-io convert {0:shell} --to {1}{2}"},
     OptionHint{Code::kConvertWithModel, text::Part::kText, " --model {0}"},
     OptionHint{Code::kConvertWithLayout, text::Part::kText, " --{0}-layout {1}"},
-    OptionHint{Code::kConvertAnew, text::Part::kText, " --rewrite"},
+    OptionHint{Code::kConvertWithRewrite, text::Part::kText, " --rewrite"},
     OptionHint{Code::kConvertWithSize, text::Part::kText, " --size WxH"},
     OptionHint{Code::kConvertToFile, text::Part::kText, " -o OUT{0}"},
     OptionHint{Code::kConvertToFiles, text::Part::kText, " -o FOLDER/"},
@@ -236,7 +236,7 @@ constexpr std::array kHints = {
     OptionHint{Code::kPoorFit, text::Part::kFix,
                "fca-io models {4:shell} compares all models; --max-angle DEG if the corners are black"},
     OptionHint{Code::kBetterModelsExist, text::Part::kText, "{0}; fca-io models FILE compares all models"},
-    OptionHint{Code::kFormatTold, text::Part::kText, "--from"},
+    OptionHint{Code::kFormatGiven, text::Part::kText, "--from"},
     OptionHint{Code::kMisreadBeyondLimit, text::Part::kText,
                "{0} misreads a camera by up to {1:px} px, more than --max-error {2:px}"},
     OptionHint{Code::kMissingBeyondLimit, text::Part::kText,

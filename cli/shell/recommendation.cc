@@ -14,7 +14,7 @@ std::string in_words(const Candidate& candidate) {
   const std::string id(candidate.model->id);
   if (report.exact) return id + " (exact)";
   if (!reaches_all(candidate)) {
-    return id + " (rms " + pixels(report.judgement.error.rms) + " px, up to " + text::format_short(report.scored_to_deg, 3) +
+    return id + " (rms " + pixels(report.statistics.error.rms) + " px, up to " + text::format_short(report.scored_to_deg, 3) +
            " deg from the axis only)";
   }
   const PixelDistance& distance = candidate.decisive();

@@ -17,15 +17,15 @@ namespace {
 constexpr double kSeenPx = 1e-6;
 
 const Repeatability& repeatability_of(const ConversionReport& report) {
-  return typical_repeatability(report.judgement.coverage.max_angle_deg);
+  return typical_repeatability(report.statistics.coverage.max_angle_deg);
 }
 
-bool has_error(const ConversionReport& report) { return !report.exact && report.judgement.error.rms > kSeenPx; }
+bool has_error(const ConversionReport& report) { return !report.exact && report.statistics.error.rms > kSeenPx; }
 
 std::string repeatability_in_words(const ConversionReport& report) {
   constexpr double kMany = 1000.0;
   const Repeatability& typical = repeatability_of(report);
-  const double times = typical.rms_px / report.judgement.error.rms;
+  const double times = typical.rms_px / report.statistics.error.rms;
   return "two calibrations of " + std::string(typical.camera) + " differ by " + pixels(typical.rms_px) + " px rms, " +
          (times > kMany ? "more than 1000" : text::format_short(times, 2)) + " times this error (" +
          std::string(typical.source) + ")";
@@ -37,7 +37,7 @@ std::string uncertainty_in_words(const ConversionReport& report) {
   if (!report.uncertainty) return has_error(report) ? repeatability_in_words(report) : "";
   const PixelUncertainty& own = *report.uncertainty;
   const std::string what = own.of_residuals ? "residuals up to " : "conversion error ";
-  const std::string error = has_error(report) ? what + pixels(report.judgement.error.max) + " px, " : "";
+  const std::string error = has_error(report) ? what + pixels(report.statistics.error.max) + " px, " : "";
   const std::string whose = own.of_residuals ? "the fit's own uncertainty " : "the calibration's own uncertainty ";
   const std::string by = own.of_residuals ? ", by the residuals of the rays" : ", by " + text::printable(own.source);
   return error + whose + (own.is_limit ? "at most " : "") + pixels(own.max_px) + " px (1 sigma, at the worst pixel" +
@@ -68,7 +68,7 @@ void put_uncertainty(Json& json, const ConversionReport& report, const CameraMod
       json.put("camera", typical.camera);
       json.put("source", typical.source);
       json.put("rms_px", typical.rms_px);
-      json.put("times_the_error", typical.rms_px / report.judgement.error.rms);
+      json.put("times_the_error", typical.rms_px / report.statistics.error.rms);
     });
   }
 }

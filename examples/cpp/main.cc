@@ -10,5 +10,5 @@ int main() {  // TUM VI's left camera (Kannala-Brandt) as EUCM, as far as its le
   for (const fca::Diagnostic& entry : diagnostics.entries()) std::fprintf(stderr, "%s\n", fca::id_of(entry).c_str());
   if (!result) return 1;
   for (const double value : fca::parameter_values(result->camera.model)) std::printf("%.17g\n", value);
-  std::printf("rms %.17g px, max %.17g px\n", result->report.judgement.error.rms, result->report.judgement.error.max);
+  std::printf("rms %.17g px, max %.17g px\n", result->report.statistics.error.rms, result->report.statistics.error.max);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A camera model that fca-io does not know, fitted to one that it does, and back again: equisolid angle, r = 2 f sin(angle /
 // 2), fx fy cx cy. fca/models/model_traits.h says what a model must have.
+#include <fca/convert/evaluate.h>
 #include <fca/convert/fit.h>
-#include <fca/convert/judge.h>
 #include <fca/convert/sample.h>
 
 #include <cmath>
@@ -47,12 +47,12 @@ int main() {  // TUM VI's left camera (Kannala-Brandt), as far as its lens sees
   const fca::CameraModel tumvi =
       fca::Intrinsics<fca::Kb4>{{190.978, 190.973, 254.932, 256.897, 0.00348, 0.000715, -0.00205, 0.0002}};
   fca::Diagnostics diagnostics;
-  const auto domain = fca::domain_of(tumvi, {512, 512}, 1.7017, "tumvi", diagnostics);
-  const auto own = fca::fit<Equisolid>(fca::sample(tumvi, *domain), fca::Lens(tumvi).centre());
+  const auto field_of_view = fca::field_of_view_of(tumvi, {512, 512}, 1.7017, "tumvi", diagnostics);
+  const auto own = fca::fit<Equisolid>(fca::sample(tumvi, *field_of_view), fca::Lens(tumvi).centre());
   const fca::Lens lens(own->model);
-  const auto back = fca::fit<fca::Kb4>(fca::sample(lens, *domain), lens.centre());
-  const fca::ErrorSummary there = fca::judge(tumvi, fca::projection_of(own->model), *domain).error;
-  const fca::ErrorSummary again = fca::judge(lens, fca::CameraModel(back->model), *domain).error;
+  const auto back = fca::fit<fca::Kb4>(fca::sample(lens, *field_of_view), lens.centre());
+  const fca::ErrorSummary there = fca::evaluate(tumvi, fca::projection_of(own->model), *field_of_view).error;
+  const fca::ErrorSummary again = fca::evaluate(lens, fca::CameraModel(back->model), *field_of_view).error;
   std::printf("kb4 -> equisolid: f %.3f, rms %.3f px, max %.3f px\n", own->model.values[0], there.rms, there.max);
   std::printf("equisolid -> kb4: rms %.2g px, max %.2g px\n", again.rms, again.max);
 }

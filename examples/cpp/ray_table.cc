@@ -33,8 +33,8 @@ int main() {
   const auto kb4 = fca::fit<fca::Kb4>(table, *centre);
   const auto eucm = fca::fit<fca::Eucm>(table, *centre);
   if (!kb4 || !eucm) return 1;
-  const fca::ErrorSummary as_kb4 = fca::judge(table, fca::projection_of(kb4->model));
-  const fca::ErrorSummary as_eucm = fca::judge(table, fca::projection_of(eucm->model));
+  const fca::ErrorSummary as_kb4 = fca::evaluate(table, fca::projection_of(kb4->model));
+  const fca::ErrorSummary as_eucm = fca::evaluate(table, fca::projection_of(eucm->model));
   std::printf("a data sheet's lens: focal length %.1f px, centre (%.1f, %.1f)\n", kb4->model.values[0], kb4->model.values[2],
               kb4->model.values[3]);
   std::printf("  as kb4:  rms %.3f px, max %.3f px (the sheet's digits are worth %.2f px)\n", as_kb4.rms, as_kb4.max,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "deduplicate.h"
 #include "exchange.h"
 #include "parts.h"
 #include "subject.h"
-#include "tab_mend.h"
-#include "told_once.h"
+#include "tab_fix.h"
 #include "topics.h"
 
 #include <fca/code.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/formats/verdict.h>
@@ -43,12 +43,12 @@ void Findings::add(Severity severity, Code code, std::vector<Argument> arguments
   add(std::move(finding));
 }
 
-void Findings::add(Code code, std::vector<Argument> arguments, SourceRange where, SpanEdit mend) {
+void Findings::add(Code code, std::vector<Argument> arguments, SourceRange where, SpanEdit edit) {
   Finding finding;
   finding.severity = info(code).severity;
   finding.where = std::move(where);
   finding.facts = {code, std::move(arguments)};
-  finding.mend = std::move(mend);
+  finding.edit = std::move(edit);
   add(std::move(finding));
 }
 
@@ -103,8 +103,8 @@ constexpr std::array kBeyondUs = {Code::kAnySkew};
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
-/// The mends that are certain of what parsers and readers say.
-std::optional<SpanEdit> mend_of(const Diagnostic& entry, const text::Source& source) {
+/// The edits that certainly fix what parsers and readers report.
+std::optional<SpanEdit> edit_for(const Diagnostic& entry, const text::Source& source) {
   if (source.is_binary()) return std::nullopt;
   const text::Span span = {entry.where.offset, entry.where.length};
   if (entry.facts.code == Code::kYamlBlankMissing) return SpanEdit{{span.offset, 0}, " "};
@@ -115,12 +115,12 @@ std::optional<SpanEdit> mend_of(const Diagnostic& entry, const text::Source& sou
     return SpanEdit{span, std::to_string(static_cast<long long>(*value))};
   }
   if (entry.facts.code == Code::kYamlTab) {
-    const std::optional<Mend> mend = tab_mend(source);
-    if (!mend) return std::nullopt;
+    const std::optional<Fix> fix = tab_fix(source);
+    if (!fix) return std::nullopt;
     text::Source blanks = source;
-    blanks.bytes.replace(mend->span.offset, mend->span.length, mend->text);
+    blanks.bytes.replace(fix->span.offset, fix->span.length, fix->text);
     Diagnostics discarded;
-    if (text::parse_document(std::move(blanks), discarded)) return SpanEdit{mend->span, mend->text};
+    if (text::parse_document(std::move(blanks), discarded)) return SpanEdit{fix->span, fix->text};
   }
   return std::nullopt;
 }
@@ -134,7 +134,7 @@ void take_over(const Diagnostics& diagnostics, const text::Source& source, bool 
     findings.add({.severity = severity,
                   .facts = entry.facts,
                   .where = entry.where,
-                  .mend = mend_of(entry, source),
+                  .edit = edit_for(entry, source),
                   .kind = entry.kind,
                   .remedy = entry.remedy});
   }
@@ -184,7 +184,7 @@ void show_both_readings(const text::Document& document, const CheckOptions& opti
   }
 }
 
-/// What usually mends it, where a finding has nothing more exact to say.
+/// What usually fixes it, where a finding has nothing more exact to say.
 void add_usual_fixes(CheckReport& report) {
   for (Finding& finding : report.findings) {
     const CodeInfo* general =
@@ -314,7 +314,7 @@ Verdict verdict_on(const CheckReport& report, const Rig* rig, const CheckOptions
 CheckReport check_file(const text::Source& source, const CheckOptions& options) {
   std::optional<Calibration> calibration;
   CheckReport report = looked_at(source, options, calibration);
-  checks::tell_once(report);
+  checks::deduplicate(report);
   // Of a file that cannot be read, that stays the finding.
   const bool is_read = calibration.has_value();
   std::erase_if(report.findings, [&](const Finding& finding) {
@@ -323,7 +323,7 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
   checks::sort_by_place(report.findings);
   const auto says_copies = [](const Finding& finding) { return finding.facts.code == Code::kYamlCopies; };
   if (std::ranges::any_of(report.findings, says_copies)) {  // a change here would change what else is shared
-    for (Finding& finding : report.findings) finding.mend.reset();
+    for (Finding& finding : report.findings) finding.edit.reset();
   }
   checks::add_usual_fixes(report);
   report.verdict = verdict_on(report, calibration ? &calibration->rig : nullptr, options);
@@ -337,26 +337,26 @@ std::vector<Finding> findings_about_meaning(const text::Document& document, cons
   checks::Findings findings(report);
   checks::take_over(diagnostics, document.source(), true, findings);
   checks::run_topics(document, calibration, options, &to, report);
-  checks::tell_once(report);
+  checks::deduplicate(report);
   return std::move(report.findings);
 }
 
-std::optional<text::Source> mended(const text::Source& source, const CheckOptions& options) {
+std::optional<text::Source> fixed_source(const text::Source& source, const CheckOptions& options) {
   text::Source result = source;
   std::set<std::string> before = {source.bytes};
-  constexpr int kMostRounds = 20;  // behind a header that is mended a program sees the rest for the first time
+  constexpr int kMostRounds = 20;  // behind a header that is fixed a program sees the rest for the first time
   for (int round = 0; round < kMostRounds; ++round) {
     const CheckReport report = check_file(result, options);
     text::Document document(result, text::Syntax::kYaml, {});
     std::size_t free_from = 0;
     for (const Finding& finding : report.findings) {  // by place
-      if (!finding.mend || finding.mend->span.offset < free_from) continue;
-      document.replace(finding.mend->span, finding.mend->text);
-      free_from = finding.mend->span.end() + 1;
+      if (!finding.edit || finding.edit->span.offset < free_from) continue;
+      document.replace(finding.edit->span, finding.edit->text);
+      free_from = finding.edit->span.end() + 1;
     }
     if (!document.edited()) break;
     result.bytes = document.bytes();
-    // Two programs that want it each in their own way: neither mend is certain.
+    // Two programs that want it each in their own way: neither fix is certain.
     if (!before.insert(result.bytes).second) return std::nullopt;
   }
   return result.bytes != source.bytes ? std::optional(result) : std::nullopt;

@@ -3,7 +3,7 @@
 #include "topics.h"
 
 #include <fca/code.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/formats/opencv_coefficients.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/fields_of_view.h>

@@ -102,11 +102,11 @@ bool check_image(const Subject& subject, Findings& findings) {
   const bool is_told_of_one = std::ranges::find(cameras, told, &Camera::image_size) != cameras.end();
   for (const Camera& camera : cameras) {
     if (!camera.image_size) {
-      findings.undecided(Code::kImageNotJudged, {camera.name});
+      findings.undecided(Code::kImageNotEvaluated, {camera.name});
       continue;
     }
     if (told && !is_told_of_one) {
-      findings.add(Code::kSizeToldDiffers,
+      findings.add(Code::kSizeGivenDiffers,
                    {camera.name, camera.image_size->width, camera.image_size->height, told->width, told->height},
                    subject.places.image_width(camera));
     }

@@ -2,7 +2,7 @@
 #include "topics.h"
 
 #include <fca/code.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/formats/opencv_coefficients.h>
 #include <fca/rig/covered_image.h>
 

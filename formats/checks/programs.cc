@@ -5,7 +5,7 @@
 #include "topics.h"
 
 #include <fca/code.h>
-#include <fca/formats/mend.h>
+#include <fca/formats/fix.h>
 #include <fca/formats/program_names.h>
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/verdict.h>
@@ -22,13 +22,13 @@ using consumers::Complaint;
 using consumers::Consumer;
 using consumers::ConsumerView;
 
-/// What a program makes of the file in one of its modes.
+/// What a program reads from the file in one of its modes.
 struct Attempt {
   std::string mode;  ///< Empty: it has none.
   ConsumerView view;
 };
 
-/// Sentences of a program that are told one by one: for each its parser is asked again and again for a mend.
+/// Sentences of a program that are told one by one: for each its parser is asked again and again for a fix.
 constexpr std::size_t kMostSaid = 10;
 
 bool has_fix(const Complaint& complaint) { return !info(complaint.facts.code).fix.empty(); }
@@ -109,7 +109,7 @@ class ProgramsCheck {
     return attempts;
   }
 
-  /// What the program makes of the cameras in the mode that the keys are for.
+  /// What the program reads of the cameras in the mode that the keys are for.
   void prove_meant_mode(const Consumer& program) {
     if (calibration_ == nullptr) return;
     const std::string mode = format_.modes.empty() ? "" : meant_mode(document_);
@@ -147,7 +147,7 @@ class ProgramsCheck {
     if (!writing.model.empty()) how.push_back({Code::kConvertWithModel, {writing.model}});
     if (!writing.layout.empty()) how.push_back({Code::kConvertWithLayout, {program.format, writing.layout}});
     // An input of that very format keeps its own text, where nothing else is asked for.
-    if (&to == &format_ && writing.layout.empty()) how.push_back({Code::kConvertAnew});
+    if (&to == &format_ && writing.layout.empty()) how.push_back({Code::kConvertWithRewrite});
     const bool has_size = calibration_ == nullptr || std::ranges::all_of(calibration_->rig.cameras, [](const Camera& camera) {
                             return camera.image_size.has_value();
                           });
@@ -175,23 +175,22 @@ class ProgramsCheck {
     findings_.add(Code::kProgramOtherFormat, {format_.title, program.program, how_to_write_for(program)}, whole_file());
   }
 
-  [[nodiscard]] std::optional<Mend> mend_of(const Consumer& program, const Attempt& attempt, const Complaint& complaint) const {
+  [[nodiscard]] std::optional<Fix> fix_for(const Consumer& program, const Attempt& attempt, const Complaint& complaint) const {
     const consumers::LoadOptions options = asked(program, attempt.mode);
-    return find_mend(document_, attempt.view, complaint,
-                     [&](const std::string& bytes) { return program.load(bytes, options); });
+    return find_fix(document_, attempt.view, complaint, [&](const std::string& bytes) { return program.load(bytes, options); });
   }
 
-  /// One refusal or warning, at its place, with the mend if there is a certain one.
+  /// One refusal or warning, at its place, with the fix if there is a certain one.
   void say(Finding finding, const Consumer& program, const Attempt& attempt, const Complaint& complaint) {
     finding.where = place_of(complaint);
-    if (const std::optional<Mend> mend = mend_of(program, attempt, complaint)) {
-      finding.kind = mend->fix.code;
-      const text::Span line = document_.source().line_at(mend->span.offset);
+    if (const std::optional<Fix> fix = fix_for(program, attempt, complaint)) {
+      finding.kind = fix->remedy.code;
+      const text::Span line = document_.source().line_at(fix->span.offset);
       // A line that is put in before is wanted where the first one stands.
-      const std::size_t length = std::min(std::max<std::size_t>(mend->span.length, 1), line.end() - mend->span.offset);
-      finding.where = document_.source().range({mend->span.offset, length});
-      finding.mend = SpanEdit{mend->span, mend->text};
-      finding.remedy = mend->fix;
+      const std::size_t length = std::min(std::max<std::size_t>(fix->span.length, 1), line.end() - fix->span.offset);
+      finding.where = document_.source().range({fix->span.offset, length});
+      finding.edit = SpanEdit{fix->span, fix->text};
+      finding.remedy = fix->remedy;
     }
     findings_.add(std::move(finding));
   }
@@ -241,7 +240,7 @@ class ProgramsCheck {
     const std::size_t most = is_for_another ? 1 : kMostSaid;
     for (std::size_t i = 0; i < std::min(most, refusals.size()); ++i) say_refusal(own, *fewest, refusals[i]);
     if (is_for_another) {
-      if (!report_.findings.back().mend) report_.findings.back().remedy = how_to_write_for(own);
+      if (!report_.findings.back().edit) report_.findings.back().remedy = how_to_write_for(own);
       return;
     }
     say_more(refusals.size(), most, Code::kProgramRefusesMore);
@@ -259,11 +258,11 @@ class ProgramsCheck {
       finding.severity = Severity::kError;
       if (missing) {
         const std::size_t first = document_.source().line_at(document_.root().entries.front().key.span.offset).offset;
-        finding.mend = SpanEdit{{first, 0}, "File.version: \"1.0\"" + std::string(document_.source().line_break())};
+        finding.edit = SpanEdit{{first, 0}, "File.version: \"1.0\"" + std::string(document_.source().line_break())};
         finding.remedy = {Code::kAddFileVersion};
       }
       const text::Node* version = text::find(document_.root(), "File.version", text::Dialect::kOpenCv);
-      if (version != nullptr && version->value == "1.0") finding.mend = SpanEdit{version->span, "\"1.0\""};
+      if (version != nullptr && version->value == "1.0") finding.edit = SpanEdit{version->span, "\"1.0\""};
       return true;
     }
     return false;
@@ -339,9 +338,9 @@ class ProgramsCheck {
     finding.severity = Severity::kWarning;
     finding.facts = {Code::kModeRefused, {mode, own.program, modes, refusals.front().facts, and_more(refusals)}};
     finding.where = place_of(refusals.front());
-    if (const std::optional<Mend> mend = mend_of(own, *meant, refusals.front())) {
-      finding.remedy = mend->fix;
-      finding.mend = SpanEdit{mend->span, mend->text};
+    if (const std::optional<Fix> fix = fix_for(own, *meant, refusals.front())) {
+      finding.remedy = fix->remedy;
+      finding.edit = SpanEdit{fix->span, fix->text};
     }
     findings_.add(std::move(finding));
   }

@@ -33,8 +33,8 @@ class Findings {
   /// As severe as the table says.
   void add(Code code, std::vector<Argument> arguments, SourceRange where);
   void add(Severity severity, Code code, std::vector<Argument> arguments, SourceRange where);
-  /// With the edit that certainly mends it.
-  void add(Code code, std::vector<Argument> arguments, SourceRange where, SpanEdit mend);
+  /// With the edit that certainly fixes it.
+  void add(Code code, std::vector<Argument> arguments, SourceRange where, SpanEdit edit);
   /// Of the code's id, there.
   [[nodiscard]] bool has(Code code, const SourceRange& where) const;
   /// The same. Places may take a writer's time: this one is asked for only if there is such a finding anywhere.

@@ -20,7 +20,7 @@ namespace fca::checks {
 [[nodiscard]] bool check_orbslam3(const Subject& subject, Findings& findings);
 [[nodiscard]] bool check_stella(const Subject& subject, Findings& findings);
 
-/// Who reads the bytes? A program that refuses them is a finding at the place that it stumbles over, with the mend where one is
+/// Who reads the bytes? A program that refuses them is a finding at the place that it stumbles over, with the fix where one is
 /// certain. `calibration`: null if the file could not be read.
 void check_programs(const text::Document& document, const Format& format, const Calibration* calibration,
                     const CheckOptions& options, CheckReport& report);

@@ -40,7 +40,7 @@ double distance_after(const OpenCvCamera& camera, const Pixel& pixel, int steps)
   return std::hypot(again[0] - pixel[0], again[1] - pixel[1]);
 }
 
-struct Reach {
+struct WrongPixels {
   double worst_px = 0.0;    ///< Of all pixels that the lens has a ray for.
   double nearest_px = 0.0;  ///< From the principal point: the first that is off by more than the limit.
   bool any = false;
@@ -49,11 +49,11 @@ struct Reach {
 
 constexpr double kLimit = 1.0;
 
-Reach reach_of(const OpenCvCamera& camera, const CameraModel& model, const ImageSize& size) {
+WrongPixels wrong_pixels_of(const OpenCvCamera& camera, const CameraModel& model, const ImageSize& size) {
   constexpr int kSteps = 32;
   constexpr int kOpenCvSteps = 5;
   constexpr int kManySteps = 100;
-  Reach reach;
+  WrongPixels wrong;
   for (int i = 0; i <= kSteps; ++i) {
     for (int j = 0; j <= kSteps; ++j) {
       const Pixel pixel = {(size.width - 1.0) * i / kSteps, (size.height - 1.0) * j / kSteps};
@@ -61,21 +61,21 @@ Reach reach_of(const OpenCvCamera& camera, const CameraModel& model, const Image
       const double distance = distance_after(camera, pixel, kOpenCvSteps);
       if (distance <= kLimit) continue;
       const double from_centre = std::hypot(pixel[0] - camera.K.cx, pixel[1] - camera.K.cy);
-      if (!reach.any || from_centre < reach.nearest_px) reach.nearest_px = from_centre;
-      reach.any = true;
-      reach.worst_px = std::isfinite(distance) ? std::max(reach.worst_px, distance) : distance;
-      reach.diverges = reach.diverges || !(distance_after(camera, pixel, kManySteps) <= kLimit);
+      if (!wrong.any || from_centre < wrong.nearest_px) wrong.nearest_px = from_centre;
+      wrong.any = true;
+      wrong.worst_px = std::isfinite(distance) ? std::max(wrong.worst_px, distance) : distance;
+      wrong.diverges = wrong.diverges || !(distance_after(camera, pixel, kManySteps) <= kLimit);
     }
   }
-  return reach;
+  return wrong;
 }
 
 /// Nothing where it arrives.
 std::optional<Message> problem_with(const Camera& camera, const OpenCvCamera& lens) {
-  const Reach reach = reach_of(lens, camera.model, *camera.image_size);
-  if (!reach.any) return std::nullopt;
-  return Message{reach.diverges ? Code::kUndistortionDiverges : Code::kUndistortionFewSteps,
-                 {camera.name, reach.worst_px, kLimit, reach.nearest_px}};
+  const WrongPixels wrong = wrong_pixels_of(lens, camera.model, *camera.image_size);
+  if (!wrong.any) return std::nullopt;
+  return Message{wrong.diverges ? Code::kUndistortionDiverges : Code::kUndistortionFewSteps,
+                 {camera.name, wrong.worst_px, kLimit, wrong.nearest_px}};
 }
 
 }  // namespace

@@ -334,7 +334,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   const std::optional<Rig> old = read_base(base);
   // Poses alone can be edited, too, where they are what was asked for.
   const bool same = old && (schema::same_cameras(*old, rig) || (is_rigs(*base) && options.keeps_layout));
-  const bool edits = same && !options.anew && keeps_syntax(*base, options.extension);
+  const bool edits = same && !options.rewrite && keeps_syntax(*base, options.extension);
   if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
             : !writable_alone(kFormat, rig, Message{Code::kColmapDemandsSize}, diagnostics))
     return std::nullopt;
@@ -342,7 +342,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   const bool wants_binary = options.extension == kBinary;
   std::optional<text::Document> document =
       edits ? edited(*base, *old, rig, options.models_taken)
-            : composed(options.anew ? nullptr : base, old, rig, wants_binary, ids, options.models_taken, diagnostics);
+            : composed(options.rewrite ? nullptr : base, old, rig, wants_binary, ids, options.models_taken, diagnostics);
   if (!document) return std::nullopt;
   Written written;
   const bool is_rig_config = document->syntax() == text::Syntax::kJson;

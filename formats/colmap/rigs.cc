@@ -94,7 +94,7 @@ class RigsReader {
         if (!read_further_sensor(*reference)) return false;
       }
     }
-    if (at_ < words_.size()) reader_.say(words_[at_], Code::kColmapRigBehind, {words_.size() - at_, *sensors});
+    if (at_ < words_.size()) reader_.say(words_[at_], Code::kColmapRigAfterLast, {words_.size() - at_, *sensors});
     return true;
   }
 

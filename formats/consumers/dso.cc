@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // DSO (and DM-VIO, which TUM-VI's sequences are read with): camera.txt. From JakobEngel/dso@1469e1e, src/util/Undistort.cpp:
 // getUndistorterForFile, readFromFile and the distortCoordinates of each model, in float. The camera is that of the images as
-// recorded; DSO works on what it makes of them by the lines 3 and 4.
+// recorded; DSO works on what it computes from them by the lines 3 and 4.
 #include <algorithm>
 #include <array>
 #include <cmath>

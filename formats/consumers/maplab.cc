@@ -22,7 +22,7 @@ using Pixel = std::array<double, 2>;
 using Ray = std::array<double, 3>;
 using Numbers = std::vector<double>;
 
-constexpr double kSmall = 1e-5;  ///< r^2 of an FOV lens below which the program takes its slope at the centre.
+constexpr double kSmall = 1e-5;  ///< r^2 of an FOV lens below which the program takes its derivative at the centre.
 
 /// On the plane where distortion bends.
 Pixel bent(const std::string& distortion, const Numbers& d, double x, double y) {
@@ -32,9 +32,9 @@ Pixel bent(const std::string& distortion, const Numbers& d, double x, double y) 
   if (distortion != "fisheye") return {x, y};
   const double w = d[0];
   const double r2 = x * x + y * y;
-  const double slope = ncamera::fov_slope(w);
+  const double tangent = ncamera::fov_tangent(w);
   const double r = std::sqrt(r2);
-  const double factor = w * w < kSmall ? 1.0 : r2 < kSmall ? slope / w : std::atan(slope * r) / (r * w);
+  const double factor = w * w < kSmall ? 1.0 : r2 < kSmall ? tangent / w : std::atan(tangent * r) / (r * w);
   return {factor * x, factor * y};
 }
 
@@ -107,7 +107,7 @@ std::optional<ConsumerCamera> read_camera(const YAML::Node& node, const std::str
   if (distortion->type == "fisheye") {
     // atan(t) = t - t^3 / 3 + ...
     const double w = distortion->numbers[0];
-    const double most = std::pow(ncamera::fov_slope(w) * std::sqrt(kSmall), 3.0) / (3.0 * w);
+    const double most = std::pow(ncamera::fov_tangent(w) * std::sqrt(kSmall), 3.0) / (3.0 * w);
     camera.approximation_px = std::max((*k)[first], (*k)[first + 1]) * most;
   }
   camera.project = [k = *k, distortion = *distortion, unified, first](const Ray& ray) -> std::optional<Pixel> {

@@ -54,6 +54,6 @@ class File {
 [[nodiscard]] ConsumerPose pose_in_imu(const std::string& camera, const std::vector<double>& T_body_camera);
 
 /// How much an FOV lens of that parameter (> 0) widens the plane at its centre, times the parameter.
-[[nodiscard]] inline double fov_slope(double w) { return 2.0 * std::tan(0.5 * w); }
+[[nodiscard]] inline double fov_tangent(double w) { return 2.0 * std::tan(0.5 * w); }
 
 }  // namespace fca::consumers::ncamera

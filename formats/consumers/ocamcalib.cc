@@ -72,13 +72,13 @@ Vector cam2world(const OcamModel& model, const Pixel& pixel) {
 double fold(const OcamModel& model) {
   const double end = 2.0 * std::hypot(model.width, model.height);
   for (double r = 0.0; r < end; r += 1.0) {
-    double slope = 0.0;  // pol - r pol'
+    double derivative = 0.0;  // pol - r pol'
     double power = 1.0;
     for (std::size_t i = 0; i < model.pol.size(); ++i) {
-      slope += (1.0 - static_cast<double>(i)) * model.pol[i] * power;
+      derivative += (1.0 - static_cast<double>(i)) * model.pol[i] * power;
       power *= r;
     }
-    if (slope * model.pol.front() <= 0.0) return std::max(0.0, r - 1.0);
+    if (derivative * model.pol.front() <= 0.0) return std::max(0.0, r - 1.0);
   }
   return end;
 }

@@ -216,7 +216,7 @@ class Reader {
     if (told) {
       const bool fisheye = options_.opencv_model == OpenCvModel::kFisheye;
       if (file_says_fisheye && *file_says_fisheye != fisheye)
-        warn(Code::kCvToldOtherwise, name, {*file_says_fisheye ? "fisheye" : "pinhole", name_of(*options_.opencv_model)});
+        warn(Code::kCvGivenOtherwise, name, {*file_says_fisheye ? "fisheye" : "pinhole", name_of(*options_.opencv_model)});
       return fisheye ? Function::kFisheye : Function::kPinhole;
     }
     if (file_says_fisheye) return *file_says_fisheye ? Function::kFisheye : Function::kPinhole;

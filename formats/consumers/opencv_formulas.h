@@ -120,8 +120,8 @@ inline Ray fisheye_undistort_points(const CameraMatrix& K, const std::array<doub
   for (int i = 0; i < kSteps; ++i) {
     const double t2 = theta * theta;
     const double value = theta * (1.0 + t2 * (k[0] + t2 * (k[1] + t2 * (k[2] + t2 * k[3])))) - theta_d;
-    const double slope = 1.0 + t2 * (3.0 * k[0] + t2 * (5.0 * k[1] + t2 * (7.0 * k[2] + t2 * 9.0 * k[3])));
-    const double step = value / slope;
+    const double derivative = 1.0 + t2 * (3.0 * k[0] + t2 * (5.0 * k[1] + t2 * (7.0 * k[2] + t2 * 9.0 * k[3])));
+    const double step = value / derivative;
     theta -= step;
     if (!(std::abs(step) < kEps)) continue;
     if (theta < 0.0) break;

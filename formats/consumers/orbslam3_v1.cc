@@ -143,7 +143,7 @@ class Parser {
     if (!own.has_distortion) return;
     second_.pinhole = first_.pinhole;
     if (!own.has_k3) second_.pinhole.back() = 0.0F;
-    if (own.has_k3 && !first_.has_k3) settings_.warn_at("Camera2.k3", Code::kOrbslamReadsBehindFour);
+    if (own.has_k3 && !first_.has_k3) settings_.warn_at("Camera2.k3", Code::kOrbslamReadsAfterFour);
     if (own.pinhole != second_.pinhole) {
       second_.misread = true;
       settings_.warn_at("Camera2.k1", Code::kOrbslamSecondPinholeIgnored);

@@ -112,8 +112,8 @@ Unprojection kannala_brandt8_rays(const Intrinsics& k, const std::array<float, 4
       const float theta4 = theta2 * theta2;
       const float terms[] = {coeffs[0] * theta2, coeffs[1] * theta4, coeffs[2] * theta4 * theta2, coeffs[3] * theta4 * theta4};
       const float value = theta * (1.0F + terms[0] + terms[1] + terms[2] + terms[3]) - theta_d;
-      const float slope = 1.0F + 3.0F * terms[0] + 5.0F * terms[1] + 7.0F * terms[2] + 9.0F * terms[3];
-      const float step = value / slope;
+      const float derivative = 1.0F + 3.0F * terms[0] + 5.0F * terms[1] + 7.0F * terms[2] + 9.0F * terms[3];
+      const float step = value / derivative;
       theta -= step;
       if (std::abs(step) < kPrecision) break;
     }

@@ -57,7 +57,7 @@ Message check_characters(std::string_view text) {
     const std::size_t length = decode_utf8(text, code);
     if (length == 0) return at_line(line, {Code::kPyYamlNotUtf8});
     if (!is_printable(code)) return at_line(line, {Code::kPyYamlControlCharacter});
-    // yaml/scanner.py: '\0\r\n\x85\u2028\u2029'. The parser below knows none of these; what they would cut is not judged.
+    // yaml/scanner.py: '\0\r\n\x85\u2028\u2029'. The parser below knows none of these; what they would cut is not checked.
     if (code == 0x85 || code == 0x2028 || code == 0x2029) return at_line(line, {Code::kPyYamlLineEnd});
     if (code == '\n') ++line;
     text.remove_prefix(length);
@@ -65,7 +65,7 @@ Message check_characters(std::string_view text) {
   return {};
 }
 
-// Conservative on purpose (brackets in comments count too): it protects the stack of the parser, it does not judge the syntax.
+// Conservative on purpose (brackets in comments count too): it protects the stack of the parser, it does not check the syntax.
 Message check_nesting(std::string_view text) {
   int depth = 0;
   int dashes_in_line = 0;

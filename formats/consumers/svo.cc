@@ -68,7 +68,7 @@ void set_pinhole(ConsumerCamera& camera, const std::string& distortion, const Nu
     return Pixel{k[0] * (*plane)[0] + k[2], k[1] * (*plane)[1] + k[3]};
   };
   if (distortion == "fisheye")
-    camera.approximation_px = kNearAxis * std::max(k[0], k[1]) * std::abs(ncamera::fov_slope(d[0]) / d[0] - 1.0);
+    camera.approximation_px = kNearAxis * std::max(k[0], k[1]) * std::abs(ncamera::fov_tangent(d[0]) / d[0] - 1.0);
   if (distortion != "radial-tangential" && distortion != "equidistant") return;
   camera.unproject = [distortion, k, d](const Pixel& pixel) -> std::optional<Ray> {
     return from_plane(distortion, d, (pixel[0] - k[2]) / k[0], (pixel[1] - k[3]) / k[1]);

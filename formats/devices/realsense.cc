@@ -97,7 +97,7 @@ class PrintReader {
     }
     keep_motion(rig);
     if (!read_poses(rig)) return false;
-    leave_out_depth(rig);
+    remove_depth(rig);
     // The stereo pair comes first.
     std::stable_partition(rig.cameras.begin(), rig.cameras.end(),
                           [](const Camera& camera) { return camera.name.starts_with("Infrared"); });
@@ -106,7 +106,7 @@ class PrintReader {
 
  private:
   /// Images of depth are computed from those of Infrared 1.
-  void leave_out_depth(Rig& rig) {
+  void remove_depth(Rig& rig) {
     const Camera* depth = rig.find_camera(kDepth);
     const Camera* infrared = rig.find_camera(kInfrared1);
     if (depth == nullptr || infrared == nullptr) return;

@@ -206,7 +206,7 @@ class CameraTxtReader {
     return good;
   }
 
-  /// The lines 3 and 4: what DSO makes of the camera's images.
+  /// The lines 3 and 4: what DSO turns the camera's images into.
   void read_output(const Camera& camera, const ImageSize& size, Rig& rig) {
     if (lines_.size() < 4 || lines_[2].items.empty() || lines_[3].items.size() < 2) {
       const Node& last = lines_[std::min<std::size_t>(lines_.size() - 1, 3)];

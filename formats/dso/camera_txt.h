@@ -5,7 +5,7 @@
 //                               name 8 numbers are RadTan, 5 are FOV, or Pinhole if the fifth is 0
 //   2  w h
 //   3  crop | none | five numbers: how DSO rectifies, which is no part of the camera
-//   4  w h of what DSO makes of it
+//   4  w h of the image that DSO computes from it
 //
 // If cx < 1 and cy < 1, all four are relative: fx w, fy h, cx w - 0.5, cy h - 0.5.
 #pragma once

@@ -60,13 +60,13 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   Diagnostics ignored;
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   Message why;
-  std::optional<Written> result = written(base, options.anew ? std::nullopt : there, rig, why, diagnostics);
+  std::optional<Written> result = written(base, options.rewrite ? std::nullopt : there, rig, why, diagnostics);
   if (!result) {
     diagnostics.add(Code::kCameraTxtNotWritten, {why});
     return std::nullopt;
   }
-  if (there && options.anew)
-    add_not_carried(extras_beyond(there->extra_fields, rig.extra_fields), Message{Code::kComposedAnew}, result->losses);
+  if (there && options.rewrite)
+    add_not_carried(extras_beyond(there->extra_fields, rig.extra_fields), Message{Code::kFileRewritten}, result->losses);
   return result;
 }
 

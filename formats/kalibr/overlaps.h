@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // cam_overlaps: the numbers of the cameras that see something in common with one. A Rig has no member for it; a chain whose
-// cameras come, go or change places counts them anew.
+// cameras come, go or change places counts them again.
 #pragma once
 
 #include "../fields.h"

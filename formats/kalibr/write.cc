@@ -167,7 +167,7 @@ std::optional<Written> write_imu_files(const text::Document* base, const Rig* ol
                                        Diagnostics& diagnostics) {
   Written written;
   written.headline = {Code::kCamchainImuHeadline};
-  if (old != nullptr && !options.anew) {
+  if (old != nullptr && !options.rewrite) {
     if (std::optional<text::Document> document = edited_imu_file(*base, *old, rig)) {
       written.files.push_back({*std::move(document), {}, {"kalibr-imu"}});
       return written;
@@ -178,11 +178,11 @@ std::optional<Written> write_imu_files(const text::Document* base, const Rig* ol
     if (rig.imus.empty()) {
       diagnostics.add(Code::kCamchainNoCamera, {"a camchain"});
     } else {
-      diagnostics.add(Code::kCamchainImuNotStated, {kImuFile, missing_in(rig.imus.front(), true)});
+      diagnostics.add(Code::kCamchainImuNotGiven, {kImuFile, missing_in(rig.imus.front(), true)});
     }
     return std::nullopt;
   }
-  if (base != nullptr) add_composed_anew(*base, written.files.front().document, Message{}, written.losses);
+  if (base != nullptr) add_rewritten(*base, written.files.front().document, Message{}, written.losses);
   list_extras(
       rig.extra_fields, {}, [](const ExtraField&) { return false; }, written.losses);
   return written;
@@ -196,12 +196,12 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   // A chain that counts its cameras in its own way (cam0, cam2) keeps doing so.
   const bool same_cameras = old && std::ranges::equal(old->cameras, rig_as_named.cameras, {}, &Camera::name, &Camera::name);
-  const Rig rig = same_cameras && !options.anew ? rig_as_named : renamed(rig_as_named);
+  const Rig rig = same_cameras && !options.rewrite ? rig_as_named : renamed(rig_as_named);
   Written written;
   if (rig.cameras.empty()) return write_imu_files(base, old ? &*old : nullptr, rig, options, diagnostics);
   std::optional<Editor> editor;
   if (old) editor.emplace(*base, *old, rig_as_named, rig);
-  if (editor && (options.anew || !editor->possible())) editor.reset();
+  if (editor && (options.rewrite || !editor->possible())) editor.reset();
   const Rig* edited = editor ? &*old : nullptr;
   if (!can_store(kFormat, rig_as_named, edited, diagnostics) || !check_sizes(rig_as_named, edited, diagnostics))
     return std::nullopt;
@@ -228,12 +228,12 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     const auto of_base = std::stable_partition(extras.begin(), extras.end(), [&](const ExtraField& extra) {
       return is_overlaps(extra) || std::ranges::find(old->extra_fields, extra) == old->extra_fields.end();
     });
-    add_not_carried({of_base, extras.end()}, Message{Code::kCamchainComposedAnew}, written.losses);
+    add_not_carried({of_base, extras.end()}, Message{Code::kCamchainRewritten}, written.losses);
     extras.erase(of_base, extras.end());
   }
   list_extras(extras, kept, of_rig, written.losses);
   if (old && !editor) {
-    add_composed_anew(*base, written.files.front().document, Message{}, written.losses);
+    add_rewritten(*base, written.files.front().document, Message{}, written.losses);
     std::vector<ExtraField> gone = extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), kept);
     // Of a camera that nobody asked for nothing is missed.
     std::erase_if(gone, [&old, &rig_as_named](const ExtraField& extra) {
@@ -242,7 +242,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     const auto overlaps_gone = std::stable_partition(gone.begin(), gone.end(), std::not_fn(is_overlaps));
     list_extras({overlaps_gone, gone.end()}, {}, of_rig, written.losses);
     gone.erase(overlaps_gone, gone.end());
-    add_not_carried(gone, Message{Code::kCamchainComposedAnew}, written.losses);
+    add_not_carried(gone, Message{Code::kCamchainRewritten}, written.losses);
   }
   list_losses(rig_as_named, written.losses);
   written.headline = {Code::kCamchainHeadline};

@@ -82,9 +82,9 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   const bool is_of_own_lens = there && !there->cameras.front().rays.empty();
   const bool keeps_own_lens =
-      is_of_own_lens && !options.anew && rig.cameras.size() == 1 && has_lens_of(rig.cameras.front(), there->cameras.front());
+      is_of_own_lens && !options.rewrite && rig.cameras.size() == 1 && has_lens_of(rig.cameras.front(), there->cameras.front());
   if (!keeps_own_lens && !writable_alone(kFormat, rig, Message{Code::kMrcalDemandsSize}, diagnostics)) return std::nullopt;
-  const std::optional<Rig> old = options.anew || (is_of_own_lens && !keeps_own_lens) ? std::nullopt : there;
+  const std::optional<Rig> old = options.rewrite || (is_of_own_lens && !keeps_own_lens) ? std::nullopt : there;
   Written written;
   bool edits = false;
   for (const Camera& camera : rig.cameras) {

@@ -3,7 +3,7 @@
 // and SPLINED_STEREOGRAPHIC. They are read as tables of rays. CAHVORE has no centre of projection, and is not read.
 #pragma once
 
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 
 #include <cstddef>
 #include <optional>

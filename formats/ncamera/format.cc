@@ -164,7 +164,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
                              Diagnostics& diagnostics) {
   Diagnostics ignored;
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const bool may_edit = there && !options.anew && schema::same_cameras(*there, rig) && may_keep(*base, *there, rig);
+  const bool may_edit = there && !options.rewrite && schema::same_cameras(*there, rig) && may_keep(*base, *there, rig);
   if (may_edit ? !can_store(kFormat, rig, &*there, diagnostics)
                : !writable_alone(kFormat, rig, Message{Code::kTableDemandsSize}, diagnostics))
     return std::nullopt;

@@ -130,7 +130,7 @@ std::optional<Rig> read_base(const text::Document& base, const Rig& rig) {
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   const std::optional<Rig> old = base != nullptr ? read_base(*base, rig) : std::nullopt;
-  const bool edits = old && !options.anew && schema::same_cameras(*old, rig);
+  const bool edits = old && !options.rewrite && schema::same_cameras(*old, rig);
   if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
             : !writable_alone(kFormat, rig, Message{Code::kNerfDemandsSize}, diagnostics))
     return std::nullopt;

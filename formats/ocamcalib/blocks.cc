@@ -31,7 +31,7 @@ class BlockFinder {
   std::optional<Blocks> run() {
     Blocks blocks;
     if (!skip_comment("direct polynomial") || !polynomial(blocks.direct, "direct polynomial", kMostDirect)) return {};
-    if (!inverse_left_out()) {
+    if (!inverse_missing()) {
       if (!skip_comment("inverse polynomial") ||
           !polynomial(blocks.inverse, "inverse polynomial", static_cast<int>(kMostCoefficients)))
         return {};
@@ -61,7 +61,7 @@ class BlockFinder {
   }
 
   /// Four blocks instead of five: behind the direct polynomial come a centre, three affine parameters and a size, and no more.
-  bool inverse_left_out() const {
+  bool inverse_missing() const {
     std::vector<std::size_t> lengths;
     for (std::size_t i = line_ + 1; i < lines_.size(); ++i) {
       if (!lines_[i].items.empty() && std::ranges::all_of(lines_[i].items, is_number))

@@ -177,7 +177,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (!writable_alone(kFormat, rig, size_use, diagnostics)) return std::nullopt;
 
   Diagnostics ignored;
-  const std::optional<Rig> old = base != nullptr && !options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt;
+  const std::optional<Rig> old = base != nullptr && !options.rewrite ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   Written written;
   for (const Camera& camera : rig.cameras) {
     std::optional<text::Document> document;

@@ -91,7 +91,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   Diagnostics ignored;
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   const bool is_of_layout = options.layout.empty() || (there && options.layout == layout_of(*base));
-  const bool edits = there && !options.anew && is_of_layout && schema::same_cameras(*there, rig) && all_held(*base, rig) &&
+  const bool edits = there && !options.rewrite && is_of_layout && schema::same_cameras(*there, rig) && all_held(*base, rig) &&
                      has_sections(*base, rig);
   if (edits ? !can_store(kFormat, rig, &*there, diagnostics)
             : !writable_alone(kFormat, rig, Message{Code::kTableDemandsSize}, diagnostics))

@@ -4,7 +4,7 @@
 #include "names.h"
 
 #include <fca/code.h>
-#include <fca/folded_name.h>
+#include <fca/normalised_id.h>
 
 #include <algorithm>
 #include <array>
@@ -64,7 +64,7 @@ constexpr std::array kDerived = {
 
 /// Where the key's value comes from, if it does not outlive the changes; else null.
 const Origin* stale_origin(const std::string& key, const Changes& changes) {
-  const std::string word = folded(key);
+  const std::string word = normalised_id(key);
   for (const Derived& row : kDerived) {
     const bool is_row = row.whole ? word == row.word : word.find(row.word) != std::string::npos;
     if (is_row && ((row.from_lens && changes.lens) || (row.from_pose && changes.pose))) return row.origin;

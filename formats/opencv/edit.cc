@@ -300,7 +300,7 @@ class Editor {
   const Rig& rig_;
   std::vector<std::size_t> places_;
   Layout after_;             ///< The keys of the base under which the result's are found or made.
-  bool renumbered_ = false;  ///< Cameras come or go, and the others are counted anew.
+  bool renumbered_ = false;  ///< Cameras come or go, and the others are counted again.
   text::Document document_;
 };
 

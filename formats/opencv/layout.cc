@@ -4,9 +4,9 @@
 #include "names.h"
 
 #include <fca/code.h>
-#include <fca/folded_name.h>
 #include <fca/formats/opencv_coefficients.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/normalised_id.h>
 
 #include <algorithm>
 #include <utility>
@@ -33,7 +33,7 @@ bool counts(const Node& mapping, const Entry& entry) { return text::find_entry(m
 /// The key of `mapping` that folds to `word`; "" if there is none.
 std::string key_folding_to(const Node& mapping, std::string_view word) {
   const auto found =
-      std::ranges::find_if(mapping.entries, [word](const Entry& entry) { return folded(entry.key.value) == word; });
+      std::ranges::find_if(mapping.entries, [word](const Entry& entry) { return normalised_id(entry.key.value) == word; });
   return found == mapping.entries.end() ? "" : found->key.value;
 }
 
@@ -61,7 +61,7 @@ SizeKeys find_size(const Node& mapping) {
 
 /// A name of a model that one of OpenCV's functions projects: is it cv::fisheye's?
 std::optional<bool> is_fisheye(const std::string& name) {
-  const std::string word = folded(name);
+  const std::string word = normalised_id(name);
   for (const std::string_view part : {"fisheye", "equidistant", "kannala"}) {
     if (word.find(part) != std::string::npos) return true;
   }
@@ -74,9 +74,9 @@ std::optional<bool> is_fisheye(const std::string& name) {
 
 /// Does a key that is to name a model, or part of one, say one that OpenCV has no function for? Words under camera_model that
 /// are no model's may be the name of a device.
-bool says_foreign_model(const std::string& folded_key, const std::string& value) {
-  if (value.empty() || value == "0" || folded(value) == "none") return false;
-  const bool of_distortion = folded_key == "distortionmodel" || folded_key == "distortiontype";
+bool says_foreign_model(const std::string& normalised_key, const std::string& value) {
+  if (value.empty() || value == "0" || normalised_id(value) == "none") return false;
+  const bool of_distortion = normalised_key == "distortionmodel" || normalised_key == "distortiontype";
   return of_distortion || find_model(value) != nullptr;
 }
 
@@ -95,7 +95,7 @@ ModelKey find_model_key(const Node& mapping) {
   }
   ModelKey foreign;
   for (const Entry& entry : mapping.entries) {
-    const std::string key = folded(entry.key.value);
+    const std::string key = normalised_id(entry.key.value);
     const bool speaks = key.find("model") != std::string::npos || key.ends_with("type");
     if (!speaks || !entry.value.is_scalar()) continue;
     if (const std::optional<bool> fisheye = is_fisheye(entry.value.value)) return {entry.key.value, false, fisheye, false};
@@ -202,7 +202,7 @@ void take_maps(const Node& root, Layout& layout) {
     keys.model = find_model_key(entry.value);
     keys.pose = key_folding_to(entry.value, "cameraposematrix");
     keys.group = key_folding_to(entry.value, "cameragroup");
-    found.emplace_back(order_of(folded(keys.map)), std::move(keys));
+    found.emplace_back(order_of(normalised_id(keys.map)), std::move(keys));
   }
   std::ranges::stable_sort(found, {}, &std::pair<double, CameraKeys>::first);
   for (auto& [order, keys] : found) layout.cameras.push_back(std::move(keys));
@@ -212,7 +212,7 @@ void take_maps(const Node& root, Layout& layout) {
 void take_pose(const Node& root, Layout& layout) {
   layout.rotation = key_among(root, kRotations);
   layout.translation = key_among(root, kTranslations);
-  layout.rotation_transposed = folded(layout.rotation) == "rotationofcamera2";
+  layout.rotation_transposed = normalised_id(layout.rotation) == "rotationofcamera2";
   if (layout.rotation.empty() && !layout.translation.empty()) {
     layout.rotation = key_folding_to(root, "om");
     layout.rotation_vector = !layout.rotation.empty();

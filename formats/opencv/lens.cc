@@ -63,13 +63,13 @@ class LensReader {
       reader_.say(node, Code::kOpencvForeignModel, {what, node.value});
       return false;
     }
-    reader_.say(node, Code::kOpencvForeignModelAsTold, {what, node.value, name_of(*options_.opencv_model)});
+    reader_.say(node, Code::kOpencvForeignModelAsGiven, {what, node.value, name_of(*options_.opencv_model)});
     return true;
   }
 
   /// ReadOptions::opencv_model decides what four numbers are; `why`: why there is nothing to decide.
   void warn_if_told_in_vain(const Node& node, const Message& why) {
-    if (options_.opencv_model == OpenCvModel::kFisheye) reader_.say(node, Code::kOpencvToldInVain, {why});
+    if (options_.opencv_model == OpenCvModel::kFisheye) reader_.say(node, Code::kOpencvGivenInVain, {why});
   }
 
   std::optional<CameraModel> with(std::string_view id, std::span<const ParameterId> parameters, const Numbers& D,
@@ -119,7 +119,7 @@ class LensReader {
     if (options_.opencv_model) {
       const bool fisheye = options_.opencv_model == OpenCvModel::kFisheye;
       if (said && *said != fisheye) {
-        reader_.say(node, Code::kOpencvToldOtherwise, {what, *said ? "fisheye" : "pinhole", name_of(*options_.opencv_model)});
+        reader_.say(node, Code::kOpencvGivenOtherwise, {what, *said ? "fisheye" : "pinhole", name_of(*options_.opencv_model)});
       }
       return fisheye;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "names.h"
 
-#include <fca/folded_name.h>
+#include <fca/normalised_id.h>
 
 #include <algorithm>
 #include <array>
@@ -71,7 +71,7 @@ std::optional<std::string> without(const std::string& word, std::string_view par
 }  // namespace
 
 Name name_of(std::string_view key) {
-  std::string word = folded(key);
+  std::string word = normalised_id(key);
   Name name;
   if (std::optional<std::string> rest = without(word, "fisheye")) {
     name.fisheye = true;

@@ -146,7 +146,7 @@ class CalibrationReader {
   void warn_of_units(const Transform& T, const Node& node, const std::string& what) {
     const double length = std::hypot(T(0, 3), T(1, 3), T(2, 3));
     constexpr double kLongerThanARig = 10.0;
-    if (length > kLongerThanARig && !options_.length_unit_m) reader_.say(node, Code::kOpencvUnitsNotStated, {what, length});
+    if (length > kLongerThanARig && !options_.length_unit_m) reader_.say(node, Code::kOpencvUnitsNotGiven, {what, length});
   }
 
   void read_stereo_pose(Rig& rig) {

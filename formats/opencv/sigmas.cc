@@ -4,8 +4,8 @@
 #include "numbers.h"
 
 #include <fca/code.h>
-#include <fca/folded_name.h>
 #include <fca/formats/opencv_coefficients.h>
+#include <fca/normalised_id.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ constexpr std::array<ParameterId, 4> kMatrixParameters = {"fx", "fy", "cx", "cy"
 
 const text::Entry* find_any(const text::Node& mapping, std::span<const std::string_view> keys) {
   const auto found = std::ranges::find_if(mapping.entries, [keys](const text::Entry& entry) {
-    return std::ranges::find(keys, folded(entry.key.value)) != keys.end();
+    return std::ranges::find(keys, normalised_id(entry.key.value)) != keys.end();
   });
   return found == mapping.entries.end() ? nullptr : &*found;
 }

@@ -50,7 +50,7 @@ bool wants_other_syntax(const text::Document& base, const WriteOptions& options)
 
 /// The base's edit, if there is a base that can be edited; else `why` says what stands against it.
 std::optional<Edited> try_edit(const text::Document* base, const Rig& rig, const WriteOptions& options, Message& why) {
-  if (base == nullptr || options.anew) return std::nullopt;
+  if (base == nullptr || options.rewrite) return std::nullopt;
   const std::optional<Base> read = read_base(*base, rig);
   if (!read) return std::nullopt;
   if (!options.layout.empty() && options.layout != name_of_layout(read->layout)) {
@@ -176,8 +176,8 @@ void tell_ambiguous(const Rig& rig, Written& written, Diagnostics& diagnostics) 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   Written written;
-  const bool anew = options.anew || !options.layout.empty() || (base != nullptr && wants_other_syntax(*base, options));
-  if (is_pose_alone(base) && (rig.cameras.empty() || !anew)) return write_pose(*base, rig, diagnostics);
+  const bool rewrite = options.rewrite || !options.layout.empty() || (base != nullptr && wants_other_syntax(*base, options));
+  if (is_pose_alone(base) && (rig.cameras.empty() || !rewrite)) return write_pose(*base, rig, diagnostics);
   if (rig.cameras.empty()) {
     diagnostics.add(Code::kOpencvNoCamera);
     return std::nullopt;
@@ -211,8 +211,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     written.first_is_left = why_first_is_left(*layout, rig);
     list_extras(rig.extra_fields, {}, written.losses);
     if (base != nullptr) {
-      add_composed_anew(*base, written.files.front().document, why, written.losses);
-      add_not_carried(extras_beyond(extras_of(*base), rig.extra_fields), Message{Code::kComposedAnew}, written.losses);
+      add_rewritten(*base, written.files.front().document, why, written.losses);
+      add_not_carried(extras_beyond(extras_of(*base), rig.extra_fields), Message{Code::kFileRewritten}, written.losses);
     }
   }
   list_losses(rig, written.losses);

@@ -176,7 +176,7 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
 std::optional<Written> edited(const text::Document& base, const Rig& old, const Rig& rig, const WriteOptions& options,
                               Diagnostics& diagnostics) {
   const bool same_imus = rig.imus.empty() || rig.imus == old.imus || old.cameras.empty();
-  if (!is_opencv_yaml(base) || options.anew || (!rig.cameras.empty() && !knows_imu_poses(rig))) return std::nullopt;
+  if (!is_opencv_yaml(base) || options.rewrite || (!rig.cameras.empty() && !knows_imu_poses(rig))) return std::nullopt;
   Rig chain = rig;
   if (!rig.cameras.empty()) chain.imus = old.imus;
   Diagnostics said;
@@ -244,13 +244,13 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   }
   if (!rig.imus.empty()) add_imu_file(rig, said, written, diagnostics);
   if (written.files.empty()) {
-    diagnostics.add(Code::kCamchainImuNotStated, {"OpenVINS", kalibr::missing_in(rig.imus.front(), false)});
+    diagnostics.add(Code::kCamchainImuNotGiven, {"OpenVINS", kalibr::missing_in(rig.imus.front(), false)});
     return std::nullopt;
   }
   add_beyond_base(rig.extra_fields, said, Message{Code::kOpenvinsChainNoPlace}, written.losses);
-  if (base != nullptr) add_composed_anew(*base, written.files.front().document, Message{}, written.losses);
+  if (base != nullptr) add_rewritten(*base, written.files.front().document, Message{}, written.losses);
   if (old) {
-    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kComposedAnew},
+    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kFileRewritten},
                     written.losses);
   }
   if (!rig.cameras.empty()) list_losses(rig, written.losses);

@@ -71,8 +71,8 @@ std::array<std::optional<std::size_t>, 2> same_images(const Rig& base, const Rig
   return result;
 }
 
-void tell_of_columns(const Rig& base, const Target& of_base, const Rig& rig, const Target& target,
-                     std::span<const std::string> replaced, Diagnostics& diagnostics) {
+void report_columns(const Rig& base, const Target& of_base, const Rig& rig, const Target& target,
+                    std::span<const std::string> replaced, Diagnostics& diagnostics) {
   const bool same = std::ranges::equal(base.cameras, rig.cameras) && base.poses == rig.poses && !target.max_angle_rad;
   std::vector<Message> kept;
   for (const OverlapColumn& column : overlap_columns(rig, target)) {

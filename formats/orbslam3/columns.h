@@ -33,7 +33,7 @@ struct OverlapColumn {
 
 /// Columns that the new cameras would have otherwise, and those that somebody set by hand and that are true of other images
 /// alone: kept or not, it is said.
-void tell_of_columns(const Rig& base, const Target& of_base, const Rig& rig, const Target& target,
-                     std::span<const std::string> replaced, Diagnostics& diagnostics);
+void report_columns(const Rig& base, const Target& of_base, const Rig& rig, const Target& target,
+                    std::span<const std::string> replaced, Diagnostics& diagnostics);
 
 }  // namespace fca::orbslam3

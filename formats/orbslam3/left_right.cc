@@ -34,7 +34,7 @@ struct Side {
 class SideReader {
  public:
   SideReader(const text::Document& document, std::string_view side)
-      : reader_(document, text::Dialect::kOpenCv, unheard_), side_(side) {}
+      : reader_(document, text::Dialect::kOpenCv, discarded_), side_(side) {}
 
   std::optional<Side> read(std::string_view name) {
     const std::optional<Values> K = matrix(".K", 9);
@@ -73,7 +73,7 @@ class SideReader {
     return Values(read->values.begin(), read->values.end());
   }
 
-  Diagnostics unheard_;  // the keys are not of every program that reads the file
+  Diagnostics discarded_;  // the keys are not of every program that reads the file
   fields::Reader reader_;
   std::string_view side_;
 };

@@ -87,7 +87,7 @@ void list_camera_losses(const Rig& rig, const Target& target, std::string_view p
     }
     const bool fork = target.style == Style::kSlamNoOpt;
     const Message why =
-        fork ? Message{Code::kOrbslam3DelayNotStated, {kDelayKey}} : Message{Code::kOrbslam3NoKeyForIt, {program}};
+        fork ? Message{Code::kOrbslam3DelayNotGiven, {kDelayKey}} : Message{Code::kOrbslam3NoKeyForIt, {program}};
     if (i > 0 || !target.states_delay) add_time_offset(camera, why, losses);
     if (camera.topic.empty()) continue;
     losses.push_back(fork ? lost(Code::kOrbslam3ImageTopicDropped, camera.name, "topic", {camera.topic})
@@ -261,7 +261,7 @@ std::optional<Style> choose_style(const Rig& rig, const Base* base, const WriteO
     diagnostics.add(Code::kOrbslam3UnknownLayout, {asked});
     return std::nullopt;
   }
-  if (base == nullptr || options.anew || find_layout(base->target.style, model) == nullptr) return style_for(model);
+  if (base == nullptr || options.rewrite || find_layout(base->target.style, model) == nullptr) return style_for(model);
   const bool fork = base->target.style == Style::kSlamNoOpt && !options.keeps_layout;
   return fork && model != model_info(base->rig.cameras.front().model).id ? style_for(model) : base->target.style;
 }
@@ -308,13 +308,13 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   target.max_angle_rad = options.max_angle_rad;
   if (base != nullptr) target.tuning = base->target.tuning;
   if (base != nullptr) target.tuning.move_overlap(same_images(base->rig, rig, options.replaced));
-  if (base != nullptr && !options.anew && base->target.style == target.style) {
+  if (base != nullptr && !options.rewrite && base->target.style == target.style) {
     // A mode without IMU keeps a pose that the base states beside its mode, not one of the mode it leaves.
     const bool leaves_inertial = base->target.sensor.inertial && !target.sensor.inertial;
     target.states_delay = base->target.states_delay;
     if (!leaves_inertial && (options.sensor.empty() || target.sensor.inertial)) target.imu_pose_key = base->target.imu_pose_key;
   }
-  const bool is_fresh = base == nullptr || options.anew || base->target.style != target.style;
+  const bool is_fresh = base == nullptr || options.rewrite || base->target.style != target.style;
   target.states_rectification = is_fresh && target.style == Style::kOrbSlam2;
   if (!check_rates(rig, target, diagnostics)) return std::nullopt;
   if (const std::optional<double> order = colour_order_of(rig)) target.tuning.take(tuning_key::kColourOrder, *order);
@@ -362,9 +362,9 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   std::vector<Message> next;
   const std::optional<Target> target = choose_target(rig, base ? &*base : nullptr, options, next, diagnostics);
   if (!target) return std::nullopt;
-  // Another style has other keys and other types for the same ones: such a file is composed anew, and what that drops is
+  // Another style has other keys and other types for the same ones: such a file is rewritten, and what that drops is
   // listed.
-  const Base* edited = base && !options.anew && base->target.style == target->style ? &*base : nullptr;
+  const Base* edited = base && !options.rewrite && base->target.style == target->style ? &*base : nullptr;
   if (!check_cameras(rig, *target, edited, diagnostics) || !check_pair(rig, *target, diagnostics)) return std::nullopt;
 
   warn_of_pair(rig, *target, diagnostics);
@@ -389,13 +389,13 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
     written.defaults = defaulted(fields, *target, rig);
     list_extras(rig.extra_fields, fields, written.losses);
     if (base) {
-      add_composed_anew(base->document, written.files.front().document, Message{}, written.losses);
+      add_rewritten(base->document, written.files.front().document, Message{}, written.losses);
       list_extras(extras_beyond(base->rig.extra_fields, rig.extra_fields), fields, written.losses);
     }
   }
   list_camera_losses(rig, *target, audience.program, written.losses);
   list_mode_losses(rig, *target, options.sensor.empty() ? edited : nullptr, audience.program, written.losses);
-  if (base) tell_of_columns(base->rig, base->target, rig, *target, options.replaced, diagnostics);
+  if (base) report_columns(base->rig, base->target, rig, *target, options.replaced, diagnostics);
   list_rounded_rates(rig, *target, written);
   Written::File& file = written.files.front();
   const std::size_t used = std::min<std::size_t>(target->sensor.two_cameras ? 2 : 1, rig.cameras.size());

@@ -3,9 +3,9 @@
 #include "ros.h"
 
 #include <fca/code.h>
-#include <fca/folded_name.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
+#include <fca/normalised_id.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +89,7 @@ class CameraReader {
 
   /// Names of other programs for the same formulas: the parser loads them, and image_geometry throws at its first call.
   std::optional<Family> family_of_others(const std::string& name) {
-    const std::string word = folded(name);
+    const std::string word = normalised_id(name);
     const ModelInfo* model = find_model(name);
     const std::string_view id = model != nullptr ? model->id : std::string_view();
     const bool fisheye = id == "kb4" || word.find("fisheye") != std::string::npos || word.find("kannala") != std::string::npos;
@@ -272,7 +272,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
     const std::optional<Rig> part = CameraReader(reader, info, options).run("cam" + std::to_string(rig.cameras.size()));
     if (!part) return std::nullopt;
     if (rig.find_camera(part->cameras.front().name) != nullptr) {
-      reader.say(*info.K->place, Code::kRosStatedTwice, {part->cameras.front().name});
+      reader.say(*info.K->place, Code::kRosCameraTwice, {part->cameras.front().name});
       return std::nullopt;
     }
     rig.cameras.push_back(part->cameras.front());

@@ -8,10 +8,10 @@
 #include "../one_camera_files.h"
 
 #include <fca/code.h>
-#include <fca/folded_name.h>
 #include <fca/formats/file_name.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/normalised_id.h>
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ std::string spelled_name(const std::string& name) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/-";
   // What YAML takes for something else than text.
   constexpr std::array<std::string_view, 7> kWords = {"null", "true", "false", "yes", "no", "on", "off"};
-  const bool word = std::ranges::find(kWords, folded(name)) != kWords.end();
+  const bool word = std::ranges::find(kWords, normalised_id(name)) != kWords.end();
   const bool plain = name.find_first_not_of(kPlain) == std::string::npos && !text::parse_real(name) && !name.empty() &&
                      name.front() != '-' && !word;
   return plain ? name : fields::quote(name);
@@ -101,7 +101,7 @@ class Editor {
     }
   }
 
-  /// Numbers that the edit leaves as they are keep their spelling, and what binning makes of them their last digit.
+  /// Numbers that the edit leaves as they are keep their spelling, and what binning turns them into, their last digit.
   void edit_camera_matrix(const CameraModel& old, const CameraModel& now, const Reduction& reduction) {
     const Matrix3 before = camera_matrix_of(old);
     const Matrix3 after = camera_matrix_of(now);
@@ -259,7 +259,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (ini && !can_store_in_ini(rig, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const bool edits = old && !options.anew && ini == base_ini && !base_message;
+  const bool edits = old && !options.rewrite && ini == base_ini && !base_message;
   const Rectification rectification = rectification_of(rig);
   Written written;
   std::vector<ExtraField> said;
@@ -292,8 +292,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   add_beyond_base(rig.extra_fields, said, Message{Code::kRosHasNoPlace}, written.losses);
   if (old && !edits) {
     const Message why = ini != base_ini ? Message{Code::kRosAnotherSyntax} : Message{};
-    add_composed_anew(*base, written.files.front().document, why, written.losses);
-    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kComposedAnew},
+    add_rewritten(*base, written.files.front().document, why, written.losses);
+    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kFileRewritten},
                     written.losses);
   }
   written.headline = headline(rig, rectification);

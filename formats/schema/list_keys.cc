@@ -2,7 +2,7 @@
 // Functions of rows that contain a lens as two names and two lists of numbers, or a pose as 16 numbers.
 #include "keys.h"
 
-#include <fca/folded_name.h>
+#include <fca/normalised_id.h>
 
 #include <algorithm>
 #include <array>
@@ -24,8 +24,8 @@ std::size_t length_of(const ListLens& lens) { return lens.coefficients.size() + 
 
 /// True if the lens has both names. Programs ignore upper and lower case.
 bool has_names(const ListLens& lens, const Node& camera_model, const Node& distortion_model) {
-  return folded(lens.camera_model) == folded(camera_model.value) &&
-         folded(lens.distortion_model) == folded(distortion_model.value);
+  return normalised_id(lens.camera_model) == normalised_id(camera_model.value) &&
+         normalised_id(lens.distortion_model) == normalised_id(distortion_model.value);
 }
 
 const ListLens* lens_of(const CameraModel& model, const Key& key) {
@@ -78,7 +78,7 @@ bool read_list_lens(Reading& reading, const Key& key, const Node& node) {
   const std::span<const ListLens> lenses = key.with.list_lenses;
   if (std::ranges::none_of(lenses, named)) {
     const bool known = std::ranges::any_of(
-        lenses, [other](const ListLens& lens) { return folded(lens.camera_model) == folded(other->value); });
+        lenses, [other](const ListLens& lens) { return normalised_id(lens.camera_model) == normalised_id(other->value); });
     reading.reader.say(known ? node : *other, reading.schema.codes.unknown_lens,
                        {reading.camera->name, shown(*other), shown(node)});
     return false;

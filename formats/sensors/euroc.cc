@@ -145,7 +145,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   const bool is_rig_file = base != nullptr && cuvslam_rig::is_rig(*base);
-  if (std::optional<Written> edited = is_rig_file && !options.anew ? cuvslam_rig::edited(*base, rig) : std::nullopt)
+  if (std::optional<Written> edited = is_rig_file && !options.rewrite ? cuvslam_rig::edited(*base, rig) : std::nullopt)
     return edited;
   std::optional<Written> written = sensors::write(files(), is_rig_file ? nullptr : base, rig, options, diagnostics);
   const auto is_equidistant = [](const Camera& camera) { return model_info(camera.model).id == "kb4"; };

@@ -152,7 +152,7 @@ std::optional<Written> write(const Files& files, const text::Document* base, con
                              Diagnostics& diagnostics) {
   Diagnostics ignored;
   const std::optional<Rig> there = base != nullptr ? files.format.read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const std::optional<Rig> old = options.anew ? std::nullopt : there;
+  const std::optional<Rig> old = options.rewrite ? std::nullopt : there;
   const bool of_imu = old && old->cameras.empty();
   const bool only_imu = rig.cameras.empty() && !rig.imus.empty();
   if (!only_imu && !writable_alone(files.format, rig, Message{Code::kTableDemandsSize}, diagnostics)) return std::nullopt;

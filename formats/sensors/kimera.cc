@@ -222,7 +222,7 @@ void list_losses(const text::Document* base, const Rig& rig, Written& written) {
 
 /// Kimera-VIO takes LeftCameraParams.yaml and RightCameraParams.yaml for a stereo pair, the left one alone for a monocular
 /// camera, and opens no further camera's file.
-void tell_of_pair(const Rig& rig, Written& written) {
+void report_pair(const Rig& rig, Written& written) {
   const Camera& left = rig.cameras[0];
   const Camera& right = rig.cameras[1];
   const bool is_pair = may_be_stereo(rig, left, right);
@@ -243,7 +243,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   std::optional<Written> written = sensors::write(files(), base, rig, options, diagnostics);
   if (!written) return written;
   list_losses(base, rig, *written);
-  if (rig.cameras.size() > 1) tell_of_pair(rig, *written);
+  if (rig.cameras.size() > 1) report_pair(rig, *written);
   return written;
 }
 

@@ -119,7 +119,7 @@ std::string block_text(std::string_view name, std::vector<Field> fields, Style s
   return text;
 }
 
-/// What tunes the program in a file that is composed anew: its blocks as they stand there.
+/// What tunes the program in a file that is rewritten: its blocks as they stand there.
 std::string tuning_text(const text::Document& base) {
   std::string text;
   if (style_of(base) == Style::kDotted || base.root().flow) return text;
@@ -283,7 +283,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   target.frame_rate_hz = rate.value_or(kStockRate);
   const bool is_of_layout = options.layout.empty() || (there && style_of(*base) == style_in(options.layout));
   const bool keeps_text =
-      there && !options.anew && is_of_layout && (there->cameras.size() > 1) == target.pair && keeps_panorama(*there, rig);
+      there && !options.rewrite && is_of_layout && (there->cameras.size() > 1) == target.pair && keeps_panorama(*there, rig);
   const text::Document* const edits = keeps_text ? base : nullptr;
   if (!are_storable(rig, target, edits != nullptr ? &*there : nullptr, diagnostics)) return std::nullopt;
 
@@ -295,7 +295,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
       edits != nullptr ? std::optional(edited(*edits, *there, with_words_of(*there, rig), before, target))
                        : composed(base, rig, target, style, rate.has_value(), written, diagnostics);
   if (!document) return std::nullopt;
-  if (base != nullptr && edits == nullptr) add_composed_anew(*base, *document, Message{}, written.losses);
+  if (base != nullptr && edits == nullptr) add_rewritten(*base, *document, Message{}, written.losses);
   const bool dotted = style == Style::kDotted;
   written.files.push_back({*std::move(document), {}, {dotted ? "openvslam" : "stella"}});
   for (const Camera& camera : std::span(rig.cameras).first(target.pair ? 2 : 1))

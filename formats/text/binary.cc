@@ -219,7 +219,7 @@ std::optional<Node> parse_binary(const Source& source, Diagnostics& diagnostics)
     report(*why, source, diagnostics);
     return std::nullopt;
   }
-  diagnostics.add(Code::kBinaryBehind, {rest}, source.range({source.bytes.size() - rest, rest}));
+  diagnostics.add(Code::kBinaryAfterEnd, {rest}, source.range({source.bytes.size() - rest, rest}));
   return with_rest;
 }
 

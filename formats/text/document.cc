@@ -80,7 +80,7 @@ void Document::remove_entry(const Node& mapping, const Entry& entry) {
   replace({start, end - start}, "");
 }
 
-// Which comma goes with an entry depends on which of its neighbours stay, so all removals of the mapping are laid out anew.
+// Which comma goes with an entry depends on which of its neighbours stay, so all removals of the mapping are laid out again.
 void Document::remove_from_flow(const Node& mapping, const Entry& entry) {
   const std::size_t owner = mapping.span.offset;
   removed_.push_back(entry.key.span.offset);

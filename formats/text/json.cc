@@ -174,7 +174,7 @@ Message describe_value(std::string_view bytes, std::size_t offset) {
   return {Code::kJsonNoValue, {word.substr(0, kLongest)}};
 }
 
-/// RapidJSON's error for the owner of the file, at the place where the mending is to be done.
+/// RapidJSON's error for the owner of the file, at the place that needs the fix.
 Refusal describe(rapidjson::ParseErrorCode code, std::size_t offset, const TreeBuilder& builder, const Source& source) {
   const std::string_view bytes = source.bytes;
   const auto refusal = [](Code what, std::size_t at) { return Refusal{{what}, at}; };
@@ -202,12 +202,12 @@ Refusal describe(rapidjson::ParseErrorCode code, std::size_t offset, const TreeB
   const char c = bytes[offset];
   const std::size_t before = offset == 0 ? std::string_view::npos : bytes.find_last_not_of(kBlanks, offset - 1);
   const char previous = before == std::string_view::npos ? '\0' : bytes[before];
-  if ((c == '}' || c == ']') && previous == ',') return refusal(Code::kJsonCommaBehindLast, before);
+  if ((c == '}' || c == ']') && previous == ',') return refusal(Code::kJsonCommaAfterLast, before);
   if (c == '\'') return refusal(Code::kJsonSingleQuotes, offset);
   if (c == '/' || c == '#') return refusal(Code::kJsonComment, offset);
   switch (code) {
     case rapidjson::kParseErrorDocumentRootNotSingular:
-      return refusal(Code::kJsonBehindRoot, offset);
+      return refusal(Code::kJsonAfterRoot, offset);
     case rapidjson::kParseErrorObjectMissName:
       return refusal(Code::kJsonKeyWanted, offset);
     case rapidjson::kParseErrorObjectMissColon:

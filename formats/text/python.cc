@@ -62,7 +62,7 @@ class Parser {
   bool parse(Node& root) {
     if (!parse_value(root)) return false;
     skip_blanks();
-    return at_ == bytes_.size() || refuse(Code::kLiteralBehindRoot, at_);
+    return at_ == bytes_.size() || refuse(Code::kLiteralAfterRoot, at_);
   }
   [[nodiscard]] const Refusal& refusal() const { return refusal_; }
 

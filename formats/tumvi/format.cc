@@ -93,9 +93,9 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
                              Diagnostics& diagnostics) {
   Diagnostics ignored;
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const std::optional<Rig> old = options.anew ? std::nullopt : there;
+  const std::optional<Rig> old = options.rewrite ? std::nullopt : there;
   const auto list_replaced = [&there](const Rig& said, Written& written) {
-    add_not_carried(extras_beyond(there->extra_fields, said.extra_fields), Message{Code::kComposedAnew}, written.losses);
+    add_not_carried(extras_beyond(there->extra_fields, said.extra_fields), Message{Code::kFileRewritten}, written.losses);
   };
   if (wants_camera_txt(base, options)) {
     Message why;

@@ -46,7 +46,7 @@ class Editor {
         rig_(rig),
         used_(std::min(rig.cameras.size(), kMostCameras)) {}
 
-  /// The camera files' names; what the configuration does not name, or leads elsewhere, is named anew.
+  /// The camera files' names; what the configuration does not name, or leads elsewhere, is named again.
   std::vector<std::string> file_names() const {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < used_; ++i) {

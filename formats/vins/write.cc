@@ -132,7 +132,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (!writable_alone(kFormat, rig, Message{Code::kVinsFilesStateSize}, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> replaced = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const std::optional<Rig> old = options.anew ? std::nullopt : replaced;
+  const std::optional<Rig> old = options.rewrite ? std::nullopt : replaced;
   Written written;
   for (const Camera& camera : rig.cameras) {
     std::optional<text::Document> document;
@@ -146,8 +146,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   }
   list_losses(rig, written.losses);
   list_extras(rig, old, written);
-  if (replaced && options.anew)
-    add_not_carried(extras_beyond(replaced->extra_fields, rig.extra_fields), Message{Code::kComposedAnew}, written.losses);
+  if (replaced && options.rewrite)
+    add_not_carried(extras_beyond(replaced->extra_fields, rig.extra_fields), Message{Code::kFileRewritten}, written.losses);
   written.pose_remedy = {Code::kVinsIntoConfiguration};
   written.headline = {rig.cameras.size() == 1 ? Code::kVinsCameraFile : Code::kVinsCameraFiles};
   return written;

@@ -71,7 +71,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (!writable_alone(kFormat, rig, Message{Code::kWoodscapeJsonCentreFromMiddle}, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const std::optional<Rig> old = options.anew ? std::nullopt : there;
+  const std::optional<Rig> old = options.rewrite ? std::nullopt : there;
   Written written;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     const Camera& camera = rig.cameras[i];
@@ -93,7 +93,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   schema::list_losses(kSchema, rig, Message{Code::kFilesHaveNoPlace, {"WoodScape"}}, written.losses);
   list_extras(rig.extra_fields, old ? old->extra_fields : std::vector<ExtraField>(), written.losses);
   if (there && !old)
-    add_not_carried(extras_beyond(there->extra_fields, rig.extra_fields), Message{Code::kComposedAnew}, written.losses);
+    add_not_carried(extras_beyond(there->extra_fields, rig.extra_fields), Message{Code::kFileRewritten}, written.losses);
   const bool for_projection_py =
       std::ranges::none_of(written.files, [](const Written::File& file) { return file.programs.empty(); });
   written.headline = {!for_projection_py        ? Code::kWoodscapeJsonHeadlineNoPose

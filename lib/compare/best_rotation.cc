@@ -24,10 +24,10 @@ struct Pair {
   double weight = 0.0;
 };
 
-std::vector<Pair> pairs_of(const Lens& reference, const CameraModel& other, const Domain& domain) {
+std::vector<Pair> pairs_of(const Lens& reference, const CameraModel& other, const FieldOfView& field_of_view) {
   constexpr int kSamples = 400;
   std::vector<Pair> pairs;
-  for (const Correspondence& sample : fca::sample(reference, domain, kSamples)) {
+  for (const Correspondence& sample : fca::sample(reference, field_of_view, kSamples)) {
     const std::optional<Ray> ray = unproject(other, sample.pixel);
     if (ray) pairs.push_back({vector_of(sample.ray), vector_of(*ray), {sample.pixel[0], sample.pixel[1]}, sample.weight});
   }
@@ -88,18 +88,18 @@ StepOf<kUnknowns> step_from(const CameraModel& other, const std::vector<Pair>& p
   for (const Pair& pair : pairs) {
     const std::optional<Eigen::Vector2d> error = error_of(other, pair, move);
     if (!error) continue;
-    Eigen::Matrix<double, 2, kUnknowns> slopes;
+    Eigen::Matrix<double, 2, kUnknowns> derivatives;
     bool all = true;
     for (int unknown = 0; unknown < kUnknowns; ++unknown) {
       const StepOf<kUnknowns> along = kStep * StepOf<kUnknowns>::Unit(unknown);
       const std::optional<Eigen::Vector2d> after = error_of(other, pair, moved<kUnknowns>(move, along));
       const std::optional<Eigen::Vector2d> before = error_of(other, pair, moved<kUnknowns>(move, -along));
       all = all && after && before;
-      if (all) slopes.col(unknown) = (*after - *before) / (2.0 * kStep);
+      if (all) derivatives.col(unknown) = (*after - *before) / (2.0 * kStep);
     }
     if (!all) continue;
-    normal += pair.weight * slopes.transpose() * slopes;
-    right -= pair.weight * slopes.transpose() * *error;
+    normal += pair.weight * derivatives.transpose() * derivatives;
+    right -= pair.weight * derivatives.transpose() * *error;
   }
   return normal.ldlt().solve(right);
 }
@@ -131,9 +131,9 @@ Move polished(const CameraModel& other, std::vector<Pair> pairs, Move move) {
 
 }  // namespace
 
-std::optional<Transform> best_rotation(const Lens& reference, const CameraModel& other, const Domain& domain,
+std::optional<Transform> best_rotation(const Lens& reference, const CameraModel& other, const FieldOfView& field_of_view,
                                        std::optional<double> distance_m) {
-  const std::vector<Pair> pairs = pairs_of(reference, other, domain);
+  const std::vector<Pair> pairs = pairs_of(reference, other, field_of_view);
   constexpr std::size_t kFewest = 3;  // two numbers each, for six unknowns
   if (pairs.size() < kFewest) return std::nullopt;
   const Move start = {wahba(pairs)};

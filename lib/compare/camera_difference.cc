@@ -30,14 +30,14 @@ double angle_between(const Ray& a, const Ray& b) {
   return 2.0 * std::atan2(across, along);
 }
 
-Judgement judge_pixels(const ModelPair& pair, const Domain& domain, const JudgeOptions& options) {
-  if (pair.T_other_reference == nullptr) return judge(pair.reference, pair.other, domain, options);
+ErrorStatistics evaluate_pixels(const ModelPair& pair, const FieldOfView& field_of_view, const EvaluateOptions& options) {
+  if (pair.T_other_reference == nullptr) return evaluate(pair.reference, pair.other, field_of_view, options);
   const Projection projection = [&pair](const Ray& ray) { return project(pair.other, turned(pair, ray)); };
-  return judge(pair.reference, projection, domain, options);
+  return evaluate(pair.reference, projection, field_of_view, options);
 }
 
-/// The judge measures how far a pixel is from its own: it is given one that is as far away as the angle has degrees.
-Judgement judge_angles(const ModelPair& pair, const Domain& domain, const JudgeOptions& options) {
+/// evaluate() measures how far a pixel is from its own: it gets one that is as far away as the angle has degrees.
+ErrorStatistics evaluate_angles(const ModelPair& pair, const FieldOfView& field_of_view, const EvaluateOptions& options) {
   const Projection projection = [&pair](const Ray& ray) -> std::optional<Pixel> {
     const std::optional<Pixel> pixel = project(pair.reference, ray);
     if (!pixel || !project(pair.other, turned(pair, ray))) return std::nullopt;
@@ -45,21 +45,22 @@ Judgement judge_angles(const ModelPair& pair, const Domain& domain, const JudgeO
     if (!other) return std::nullopt;
     return Pixel{(*pixel)[0] + angle_between(turned(pair, ray), *other) * kDegreesPerRadian, (*pixel)[1]};
   };
-  return judge(pair.reference, projection, domain, options);
+  return evaluate(pair.reference, projection, field_of_view, options);
 }
 
-AngleSummary angle_summary(const Judgement& judgement) {
-  AngleSummary summary{judgement.error.rms, judgement.error.max, judgement.error.max_at, {}};
-  for (const ErrorBand& band : judgement.bands) summary.bands.push_back({band.from_deg, band.to_deg, band.rms_px, band.max_px});
+AngleSummary angle_summary(const ErrorStatistics& statistics) {
+  AngleSummary summary{statistics.error.rms, statistics.error.max, statistics.error.max_at, {}};
+  for (const ErrorBand& band : statistics.bands)
+    summary.bands.push_back({band.from_deg, band.to_deg, band.rms_px, band.max_px});
   return summary;
 }
 
-/// What is left of a judgement where nothing but rounding could differ.
+/// What is left of the statistics where nothing but rounding could differ.
 void clear_errors(CameraDifference& difference) {
-  ErrorSummary& error = difference.judgement.error;
+  ErrorSummary& error = difference.statistics.error;
   error = {};
   error.bound = 0.0;
-  for (ErrorBand& band : difference.judgement.bands) band.rms_px = band.max_px = 0.0;
+  for (ErrorBand& band : difference.statistics.bands) band.rms_px = band.max_px = 0.0;
   difference.angle.rms_deg = difference.angle.max_deg = 0.0;
   difference.angle.max_at = {};
   for (AngleBand& band : difference.angle.bands) band.rms_deg = band.max_deg = 0.0;
@@ -72,47 +73,47 @@ bool same_at_axis(const ModelPair& pair) {
   return pixel && std::hypot((*pixel)[0] - centre[0], (*pixel)[1] - centre[1]) <= kSamePx;
 }
 
-bool same(const Judgement& judgement) {
+bool same(const ErrorStatistics& statistics) {
   constexpr double kNoArea = 1e-6;
-  return judgement.error.max <= kSamePx && judgement.coverage.unrepresentable <= kNoArea;
+  return statistics.error.max <= kSamePx && statistics.coverage.unrepresentable <= kNoArea;
 }
 
-/// By bisection: the largest error within a cone grows with it.
-double same_to_deg(const ModelPair& pair, const Domain& domain, const Judgement& whole) {
-  if (same(whole)) return domain.max_angle_rad * kDegreesPerRadian;
+/// By bisection: the largest error up to an angle grows with it.
+double same_to_deg(const ModelPair& pair, const FieldOfView& field_of_view, const ErrorStatistics& whole) {
+  if (same(whole)) return field_of_view.max_angle_rad * kDegreesPerRadian;
   if (!same_at_axis(pair)) return 0.0;
   constexpr double kPrecision = 0.05 / kDegreesPerRadian;
   double inside = 0.0;
-  double outside = domain.max_angle_rad;
-  Domain cone = domain;
+  double outside = field_of_view.max_angle_rad;
+  FieldOfView narrower = field_of_view;
   while (outside - inside > kPrecision) {
-    cone.max_angle_rad = 0.5 * (inside + outside);
-    (same(judge_pixels(pair, cone, {.bound = false})) ? inside : outside) = cone.max_angle_rad;
+    narrower.max_angle_rad = 0.5 * (inside + outside);
+    (same(evaluate_pixels(pair, narrower, {.bound = false})) ? inside : outside) = narrower.max_angle_rad;
   }
   return inside * kDegreesPerRadian;
 }
 
 }  // namespace
 
-CameraDifference difference_of(const ModelPair& pair, const Domain& domain, const JudgeOptions& options) {
+CameraDifference difference_of(const ModelPair& pair, const FieldOfView& field_of_view, const EvaluateOptions& options) {
   CameraDifference difference;
-  difference.judgement = judge_pixels(pair, domain, options);
-  JudgeOptions lattice = options;
+  difference.statistics = evaluate_pixels(pair, field_of_view, options);
+  EvaluateOptions lattice = options;
   lattice.bound = false;
   const bool identical = pair.T_other_reference == nullptr && pair.reference == pair.other;
-  difference.angle = angle_summary(identical ? difference.judgement : judge_angles(pair, domain, lattice));
+  difference.angle = angle_summary(identical ? difference.statistics : evaluate_angles(pair, field_of_view, lattice));
   if (identical) clear_errors(difference);
-  difference.same_to_deg = same_to_deg(pair, domain, difference.judgement);
+  difference.same_to_deg = same_to_deg(pair, field_of_view, difference.statistics);
   return difference;
 }
 
-double misfit_px(const CameraModel& reference, const CameraModel& other, const Domain& domain) {
-  const Judgement judgement = judge(reference, other, domain, {.bound = false});
-  const double diagonal = std::hypot(domain.size.width, domain.size.height);
-  const double scored = judgement.coverage.scored;
-  const double without = judgement.coverage.unrepresentable;
+double misfit_px(const CameraModel& reference, const CameraModel& other, const FieldOfView& field_of_view) {
+  const ErrorStatistics statistics = evaluate(reference, other, field_of_view, {.bound = false});
+  const double diagonal = std::hypot(field_of_view.size.width, field_of_view.size.height);
+  const double scored = statistics.coverage.scored;
+  const double without = statistics.coverage.unrepresentable;
   if (!(scored + without > 0.0)) return diagonal;
-  const double square = judgement.error.rms * judgement.error.rms;
+  const double square = statistics.error.rms * statistics.error.rms;
   return std::sqrt((scored * square + without * diagonal * diagonal) / (scored + without));
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two camera models over a domain: what the judge of conversions says, in pixels and in degrees.
+// Two camera models over a field of view: the error statistics, in pixels and in degrees.
 #pragma once
 
 #include <fca/compare/report.h>
-#include <fca/convert/domain.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/models/camera_model.h>
 
 #include <optional>
@@ -20,10 +20,11 @@ struct ModelPair {
   std::optional<double> distance_m = {};
 };
 
-[[nodiscard]] CameraDifference difference_of(const ModelPair& pair, const Domain& domain, const JudgeOptions& options);
+[[nodiscard]] CameraDifference difference_of(const ModelPair& pair, const FieldOfView& field_of_view,
+                                             const EvaluateOptions& options);
 
 /// The root mean square of the errors [px] in which a pixel that the other does not have counts as wrong by the image's
 /// diagonal: one number to choose among explanations.
-[[nodiscard]] double misfit_px(const CameraModel& reference, const CameraModel& other, const Domain& domain);
+[[nodiscard]] double misfit_px(const CameraModel& reference, const CameraModel& other, const FieldOfView& field_of_view);
 
 }  // namespace fca::internal

@@ -72,13 +72,14 @@ std::optional<CameraPair> at_one_size(const Camera& reference, const Camera& oth
 /// Everything a comparison of two cameras needs to go on.
 struct PreparedPair {
   CameraPair cameras;
-  Domain domain;
-  std::optional<Domain> focus = {};  ///< The part of it that counts, if the options name one.
+  FieldOfView field_of_view;
+  std::optional<FieldOfView> focus = {};  ///< The part of it that counts, if the options name one.
 };
 
-/// The domain up to the angle in focus; nothing with an error where it holds no pixel.
-std::optional<Domain> in_focus(const Camera& reference, const CompareOptions& options, Diagnostics& diagnostics) {
-  return domain_of(reference, std::min(*options.focus_rad, options.max_angle_rad.value_or(*options.focus_rad)), diagnostics);
+/// The field of view up to the angle in focus; nothing with an error where it holds no pixel.
+std::optional<FieldOfView> in_focus(const Camera& reference, const CompareOptions& options, Diagnostics& diagnostics) {
+  return field_of_view_of(reference, std::min(*options.focus_rad, options.max_angle_rad.value_or(*options.focus_rad)),
+                          diagnostics);
 }
 
 std::optional<PreparedPair> prepared(const Camera& reference, const Camera& other, const CompareOptions& options,
@@ -88,19 +89,20 @@ std::optional<PreparedPair> prepared(const Camera& reference, const Camera& othe
   const std::vector<Message> problems = validate(pair->other.model);
   for (const Message& problem : problems) diagnostics.add(Code::kNotACamera, {other.name, problem});
   if (!problems.empty()) return std::nullopt;
-  Diagnostics of_domain;
-  std::optional<Domain> domain = domain_of(pair->reference, options.max_angle_rad, of_domain);
+  Diagnostics of_field_of_view;
+  std::optional<FieldOfView> field_of_view = field_of_view_of(pair->reference, options.max_angle_rad, of_field_of_view);
   const bool same_lens = pair->reference.model == pair->other.model && !pair->scaled_from;
-  for (Diagnostic entry : of_domain.entries()) {
+  for (Diagnostic entry : of_field_of_view.entries()) {
     // Of a lens that sees nothing of its image nothing can be measured, but it is the same as itself.
     if (same_lens && entry.facts.code == Code::kNoPixelHasARay) {
       entry.severity = Severity::kWarning;
-      domain = Domain{*pair->reference.image_size, max_angle(pair->reference.model), Message{Code::kDomainWithoutRay}};
+      field_of_view =
+          FieldOfView{*pair->reference.image_size, max_angle(pair->reference.model), Message{Code::kFieldOfViewWithoutRay}};
     }
     diagnostics.add(std::move(entry));
   }
-  if (!domain) return std::nullopt;
-  PreparedPair result{*std::move(pair), *std::move(domain)};
+  if (!field_of_view) return std::nullopt;
+  PreparedPair result{*std::move(pair), *std::move(field_of_view)};
   if (!options.focus_rad) return result;
   result.focus = in_focus(result.cameras.reference, options, diagnostics);
   return result.focus ? std::optional(std::move(result)) : std::nullopt;
@@ -128,7 +130,7 @@ std::vector<ParameterComparison> parameters_of(const CameraModel& reference, con
 /// Without its differences.
 std::optional<BestRotation> best_rotation_of(const PreparedPair& pair, std::optional<double> distance_m) {
   const std::optional<Transform> found = internal::best_rotation(pair.cameras.reference.model, pair.cameras.other.model,
-                                                                 pair.focus ? *pair.focus : pair.domain, distance_m);
+                                                                 pair.focus ? *pair.focus : pair.field_of_view, distance_m);
   const std::optional<Transform> T_reference_other = found ? inverse(*found) : std::nullopt;
   if (!T_reference_other) return std::nullopt;
   BestRotation best;
@@ -148,26 +150,26 @@ CameraComparison comparison_of(const PreparedPair& pair, const CompareOptions& o
   result.other = other.name;
   result.reference_model = model_info(reference.model).id;
   result.other_model = model_info(other.model).id;
-  result.size = pair.domain.size;
+  result.size = pair.field_of_view.size;
   result.size_assumed = pair.cameras.size_assumed;
   result.other_size = pair.cameras.scaled_from;
   result.parameters = parameters_of(reference.model, other.model);
   result.identical = reference.model == other.model && !result.other_size;
-  result.scored_to_deg = std::min(pair.domain.max_angle_rad, max_angle(other.model)) * kDegreesPerRadian;
-  const JudgeOptions judged = {.every_pixel = options.every_pixel, .bound = options.bound};
+  result.scored_to_deg = std::min(pair.field_of_view.max_angle_rad, max_angle(other.model)) * kDegreesPerRadian;
+  const EvaluateOptions evaluated = {.every_pixel = options.every_pixel, .bound = options.bound};
   const internal::ModelPair as_they_are = {reference.model, other.model};
-  result.difference = internal::difference_of(as_they_are, pair.domain, judged);
+  result.difference = internal::difference_of(as_they_are, pair.field_of_view, evaluated);
   if (pair.focus) {
     result.focus = FocusComparison{pair.focus->max_angle_rad * kDegreesPerRadian,
-                                   internal::difference_of(as_they_are, *pair.focus, judged), std::nullopt};
+                                   internal::difference_of(as_they_are, *pair.focus, evaluated), std::nullopt};
   }
   if (reference.model == other.model) return result;
   std::optional<BestRotation> best = best_rotation_of(pair, options.distance_m);
   if (!best) return result;
   const internal::ModelPair as_moved = {reference.model, other.model, &best->T_other_reference, options.distance_m};
-  JudgeOptions unproven = judged;
+  EvaluateOptions unproven = evaluated;
   unproven.bound = false;
-  best->difference = internal::difference_of(as_moved, pair.domain, unproven);
+  best->difference = internal::difference_of(as_moved, pair.field_of_view, unproven);
   if (pair.focus) result.focus->rotated = internal::difference_of(as_moved, *pair.focus, unproven);
   result.rotated = std::move(best);
   return result;
@@ -194,10 +196,10 @@ bool lenses_exchanged(const RigPair& rigs, std::size_t first, std::size_t second
     if (!rigs.cameras[here] || !rigs.cameras[there]) return false;
     const PreparedPair& right = *rigs.cameras[here];
     const PreparedPair& left = *rigs.cameras[there];
-    if (right.domain.size != left.domain.size) return false;
+    if (right.field_of_view.size != left.field_of_view.size) return false;
     const CameraModel& reference = right.cameras.reference.model;
-    const double as_stated = internal::misfit_px(reference, right.cameras.other.model, right.domain);
-    const double exchanged = internal::misfit_px(reference, left.cameras.other.model, right.domain);
+    const double as_stated = internal::misfit_px(reference, right.cameras.other.model, right.field_of_view);
+    const double exchanged = internal::misfit_px(reference, left.cameras.other.model, right.field_of_view);
     if (as_stated <= kSamePx || exchanged > internal::kExplained * as_stated) return false;
   }
   return true;
@@ -234,8 +236,8 @@ void find_mistakes(const RigPair& rigs, const internal::PoseTask& poses, RigComp
     const PreparedPair& pair = *rigs.cameras[i];
     const auto compared = std::ranges::find(result.cameras, pair.cameras.reference.name, &CameraComparison::reference);
     if (compared->turn_cancels) continue;
-    std::optional<Mistake> mistake =
-        internal::mistake_in(pair.cameras.reference, pair.cameras.other, pair.cameras.scale, compared->difference, pair.domain);
+    std::optional<Mistake> mistake = internal::mistake_in(pair.cameras.reference, pair.cameras.other, pair.cameras.scale,
+                                                          compared->difference, pair.field_of_view);
     if (mistake) result.mistakes.push_back(*std::move(mistake));
   }
   if (exchange && exchange->poses) return;

@@ -55,37 +55,37 @@ void find_wrong_sign(const Camera& reference, const Camera& other, RigComparison
   result.mistakes.push_back({{Code::kTimeOffsetOfOtherSign, {other.name}}});
 }
 
-/// The slip by which the reference's density becomes the other's.
-struct NoiseSlip {
+/// The mistake by which the reference's density becomes the other's.
+struct NoiseMistake {
   Code code;
   double (*made)(double density, double root_rate, bool walk);
 };
-constexpr std::array kNoiseSlips = {
-    NoiseSlip{Code::kNoiseDiscrete,
-              [](double density, double root_rate, bool walk) { return walk ? density / root_rate : density * root_rate; }},
-    NoiseSlip{Code::kNoiseDividedByRate,
-              [](double density, double root_rate, bool walk) { return walk ? density * root_rate : density / root_rate; }},
-    NoiseSlip{Code::kNoiseVariance, [](double density, double, bool) { return density * density; }},
-    NoiseSlip{Code::kNoiseOfVariances, [](double density, double, bool) { return std::sqrt(density); }},
+constexpr std::array kNoiseMistakes = {
+    NoiseMistake{Code::kNoiseDiscrete,
+                 [](double density, double root_rate, bool walk) { return walk ? density / root_rate : density * root_rate; }},
+    NoiseMistake{Code::kNoiseDividedByRate,
+                 [](double density, double root_rate, bool walk) { return walk ? density * root_rate : density / root_rate; }},
+    NoiseMistake{Code::kNoiseVariance, [](double density, double, bool) { return density * density; }},
+    NoiseMistake{Code::kNoiseOfVariances, [](double density, double, bool) { return std::sqrt(density); }},
 };
 
-/// A slip that explains every density that differs.
-void find_noise_slip(const Imu& reference, const Imu& other, RigComparison& result) {
+/// A mistake that explains every density that differs.
+void find_noise_mistake(const Imu& reference, const Imu& other, RigComparison& result) {
   const std::optional<double> rate = other.rate_hz ? other.rate_hz : reference.rate_hz;
-  for (const NoiseSlip& slip : kNoiseSlips) {
+  for (const NoiseMistake& mistake : kNoiseMistakes) {
     bool explains = true;
     std::vector<std::string> which;
     for (const Density& density : kDensities) {
       const std::optional<double>& right = reference.*density.member;
       const std::optional<double>& left = other.*density.member;
       if (!right || !left || near(*right, *left)) continue;
-      // sqrt(NaN) explains nothing: a slip that asks for the rate needs one.
-      const double made = slip.made(*right, std::sqrt(rate.value_or(std::nan(""))), density.walk);
+      // sqrt(NaN) explains nothing: a mistake that asks for the rate needs one.
+      const double made = mistake.made(*right, std::sqrt(rate.value_or(std::nan(""))), density.walk);
       explains = explains && near(made, *left);
       which.emplace_back(density.name);
     }
     if (!explains || which.empty()) continue;
-    result.mistakes.push_back({{slip.code, {other.name, which}}});
+    result.mistakes.push_back({{mistake.code, {other.name, which}}});
     return;
   }
 }
@@ -126,7 +126,7 @@ void compare_facts(const Rig& reference, const Rig& other, const Matching& match
     for (const Density& density : kDensities)
       add({right.name, density.name, density.unit, right.*density.member, left.*density.member}, result);
     add({right.name, "rate", "Hz", right.rate_hz, left.rate_hz}, result);
-    find_noise_slip(right, left, result);
+    find_noise_mistake(right, left, result);
   }
   compare_baselines(reference, other, result);
 }

@@ -15,8 +15,8 @@ using Cameras = std::vector<CameraComparison*>;
 bool explains_rays(const CameraComparison& camera) {
   constexpr double kExplainsRays = 0.9;
   const CameraDifference* rotated = camera.counted_rotated();
-  if (rotated == nullptr || !(rotated->judgement.coverage.scored > 0.0)) return false;
-  return rotated->judgement.error.rms < kExplainsRays * camera.counted().judgement.error.rms;
+  if (rotated == nullptr || !(rotated->statistics.coverage.scored > 0.0)) return false;
+  return rotated->statistics.error.rms < kExplainsRays * camera.counted().statistics.error.rms;
 }
 
 /// The reference with other frames of these cameras: those in which the other file has their lenses.

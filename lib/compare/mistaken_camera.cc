@@ -17,7 +17,7 @@ namespace fca::internal {
 
 namespace {
 
-/// What the other would be without the slip.
+/// What the other would be without the mistake.
 struct Candidate {
   Code code;
   CameraModel undone;
@@ -146,7 +146,7 @@ void add_other_name(const CameraModel& reference, const CameraModel& other, Cand
 }
 
 /// The lens of the reference, where the other has none.
-void add_left_out(const CameraModel& reference, const CameraModel& other, Candidates& candidates) {
+void add_removed(const CameraModel& reference, const CameraModel& other, Candidates& candidates) {
   const ModelInfo& right = model_info(reference);
   const ModelInfo& wrong = model_info(other);
   if (!right.focal_lengths_first || !wrong.focal_lengths_first) return;
@@ -154,15 +154,15 @@ void add_left_out(const CameraModel& reference, const CameraModel& other, Candid
   if (std::ranges::any_of(numbers.subspan(kBeforeLens), [](double number) { return number != 0.0; })) return;
   CameraModel undone = reference;
   std::copy_n(numbers.begin(), kBeforeLens, parameter_values(undone).begin());
-  candidates.push_back({Code::kDistortionLeftOut, undone});
+  candidates.push_back({Code::kDistortionRemoved, undone});
 }
 
 }  // namespace
 
 std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, double scale,
-                                  const CameraDifference& difference, const Domain& domain) {
+                                  const CameraDifference& difference, const FieldOfView& field_of_view) {
   constexpr double kNoArea = 1e-3;
-  if (difference.judgement.error.max <= kSamePx && difference.judgement.coverage.unrepresentable <= kNoArea)
+  if (difference.statistics.error.max <= kSamePx && difference.statistics.coverage.unrepresentable <= kNoArea)
     return std::nullopt;
   Candidates candidates;
   add_shifts(other.model, scale, candidates);
@@ -171,15 +171,15 @@ std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, 
   add_scales(other.model, scale, candidates);
   add_other_orders(other.model, candidates);
   add_other_name(reference.model, other.model, candidates);
-  add_left_out(reference.model, other.model, candidates);
+  add_removed(reference.model, other.model, candidates);
 
   // A guess must come as near as two honest calibrations of one camera rarely do.
   constexpr double kNear = 1.0;
-  double best = std::min(kNear, kExplained * misfit_px(reference.model, other.model, domain));
+  double best = std::min(kNear, kExplained * misfit_px(reference.model, other.model, field_of_view));
   std::optional<Mistake> mistake;
   for (const Candidate& candidate : candidates) {
     if (!validate(candidate.undone).empty()) continue;
-    const double misfit = misfit_px(reference.model, candidate.undone, domain);
+    const double misfit = misfit_px(reference.model, candidate.undone, field_of_view);
     if (!(misfit <= best)) continue;
     best = misfit;
     mistake = Mistake{Message{candidate.code, {other.name}}};

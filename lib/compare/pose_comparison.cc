@@ -2,7 +2,7 @@
 #include "pose_comparison.h"
 
 #include <fca/code.h>
-#include <fca/rig/pose_slip.h>
+#include <fca/rig/pose_mistake.h>
 #include <fca/rig/rotation.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
-// Two honest calibrations of one rig are about 1 apart, and slips of the pen hundreds.
+// Two honest calibrations of one rig are about 1 apart, and common mistakes hundreds.
 constexpr double kSameAngle = 0.5 * kRadiansPerDegree;
 constexpr double kSameDistance = 5e-3;  // m
 constexpr double kSameShare = 0.05;     // of the length
@@ -121,17 +121,18 @@ std::vector<Mistake> mistaken_poses(const PoseTask& task) {
     const double apart = distance_of_poses(*right, stated);
     if (!(apart > kClose)) continue;
     const PoseEdge& own = task.other.poses[i];  // in its own names
-    // As near as two honest calibrations are, a slip is one only if without it nothing differs.
+    // As near as two honest calibrations are, a mistake is one only if without it nothing differs.
     double best = apart > kFar ? std::min(kNear, kExplainedShare * apart) : kExact;
     const std::string name = name_of(own);
     std::optional<Mistake> mistake;
-    for (const PoseSlip& slip : pose_slips()) {
-      const std::optional<Transform> undone = slip.undo(stated);
+    for (const PoseMistake& candidate : pose_mistakes()) {
+      const std::optional<Transform> undone = candidate.undo(stated);
       const double rest = undone ? distance_of_poses(*right, *undone) : best;
       if (!(rest < best)) continue;
       best = rest;
-      mistake = {{slip.code, {name}}, i};
-      if (slip.code == Code::kPoseHoldsInverse) mistake->message = {Code::kPoseInverted, {name, "T_" + own.b + "_" + own.a}};
+      mistake = {{candidate.code, {name}}, i};
+      if (candidate.code == Code::kPoseHoldsInverse)
+        mistake->message = {Code::kPoseInverted, {name, "T_" + own.b + "_" + own.a}};
     }
     // Of a pair whose poses are all exchanged the exchange is told (exchange_explains_poses()); here a copied block.
     const PoseEdge& edge = task.poses[i];

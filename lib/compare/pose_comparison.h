@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses of two rigs, and the slips of the pen by which one becomes the other.
+// Poses of two rigs, and the common mistakes by which one becomes the other.
 #pragma once
 
 #include "matching.h"
@@ -31,7 +31,7 @@ void compare_poses(const PoseTask& task, RigComparison& result);
 /// How many of the other's statements does the reference state or imply, too?
 [[nodiscard]] std::size_t comparable_poses(const PoseTask& task);
 
-/// Of each statement of the other that the reference contradicts: the slip that explains it.
+/// Of each statement of the other that the reference contradicts: the mistake that explains it.
 [[nodiscard]] std::vector<Mistake> mistaken_poses(const PoseTask& task);
 
 }  // namespace fca::internal

@@ -17,19 +17,19 @@ namespace fca::internal {
 namespace {
 
 /// The samples to which a rotation is fitted: rays inside the angle up to which the fit is valid.
-std::vector<Correspondence> samples_for_turn(const FitTask& task, double reach_rad, int count) {
-  Domain domain = task.domain;
-  domain.max_angle_rad = std::min(domain.max_angle_rad, reach_rad);
-  return weighted_samples(task.options.weight, task.camera.model, domain, count).samples;
+std::vector<Correspondence> samples_for_turn(const FitTask& task, double max_angle_rad, int count) {
+  FieldOfView field_of_view = task.field_of_view;
+  field_of_view.max_angle_rad = std::min(field_of_view.max_angle_rad, max_angle_rad);
+  return weighted_samples(task.options.weight, task.camera.model, field_of_view, count).samples;
 }
 
 /// True if the rotation makes the rms that the fit minimises at least 1 % smaller.
-bool is_better(const FitTask& task, const DomainFit& straight, const TurnedFit& turned, double rms_straight_px,
+bool is_better(const FitTask& task, const FieldOfViewFit& straight, const TurnedFit& turned, double rms_straight_px,
                double rms_turned_px) {
   constexpr double kWorthATurn = 0.99;
   const FitWeight& weight = task.options.weight;
   if (has_equal_weights(weight)) return rms_turned_px < kWorthATurn * rms_straight_px;
-  return weighted_rms(weight, task.camera.model, turned.fitted.model, task.domain, straight.fitted.reach_rad,
+  return weighted_rms(weight, task.camera.model, turned.fitted.model, task.field_of_view, straight.fitted.max_angle_rad,
                       &turned.T_target_source) < kWorthATurn * straight.rms_px;
 }
 
@@ -39,15 +39,15 @@ void absorb_turn(const FitTask& task, const DegreeFit& fit, Conversion& conversi
   constexpr int kSamples = 800;
   const SampledFit& straight = fit.fit.fitted;
   const std::optional<TurnedFit> turned =
-      fit_with_turn(*straight.model, samples_for_turn(task, straight.reach_rad, kSamples), fit.ranges);
+      fit_with_turn(*straight.model, samples_for_turn(task, straight.max_angle_rad, kSamples), fit.ranges);
   ConversionReport& report = conversion.report;
   if (turned && validate(turned->fitted.model).empty()) {
-    Judgement judgement = judge_turned(task.camera.model, turned->fitted.model, turned->T_target_source, task.domain,
-                                       straight.reach_rad, task.options.every_pixel);
-    const ErrorSummary& before = report.judgement.error;
-    if (is_better(task, fit.fit, *turned, before.rms, judgement.error.rms) && reaches_as_much(report.judgement, judgement)) {
+    ErrorStatistics statistics = evaluate_turned(task.camera.model, turned->fitted.model, turned->T_target_source,
+                                                 task.field_of_view, straight.max_angle_rad, task.options.every_pixel);
+    const ErrorSummary& before = report.statistics.error;
+    if (is_better(task, fit.fit, *turned, before.rms, statistics.error.rms) && reaches_as_much(report.statistics, statistics)) {
       report.turn = AbsorbedTurn{turned->T_target_source, before.rms, before.max};
-      report.judgement = std::move(judgement);
+      report.statistics = std::move(statistics);
       report.at_bound = turned->fitted.at_bound;
       conversion.camera.model = turned->fitted.model;
       return;
@@ -63,7 +63,7 @@ std::optional<TurnOffer> offered_turn(const FitTask& task, const DegreeFit& fit,
   if (rms_px < kVisible) return std::nullopt;
   const SampledFit& fitted = fit.fit.fitted;
   const std::optional<TurnEstimate> turned =
-      estimate_turn(*fitted.model, samples_for_turn(task, fitted.reach_rad, kSamples), fit.ranges);
+      estimate_turn(*fitted.model, samples_for_turn(task, fitted.max_angle_rad, kSamples), fit.ranges);
   if (!turned || turned->rms_px >= kWorthIt * rms_px) return std::nullopt;
   return TurnOffer{turned->angle_rad * 180.0 / std::numbers::pi, turned->rms_px};
 }

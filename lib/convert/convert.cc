@@ -5,16 +5,16 @@
 #include "evaluation/stages.h"
 #include "exact.h"
 #include "fitting/degree.h"
-#include "fitting/fit_domain.h"
+#include "fitting/fit_field_of_view.h"
 #include "fitting/fixed_parameters.h"
 #include "fitting/minimax.h"
 #include "sampling/weights.h"
 #include "table_conversion.h"
 
 #include <fca/code.h>
-#include <fca/convert/domain.h>
-#include <fca/convert/judge.h>
-#include <fca/convert/reach.h>
+#include <fca/convert/evaluate.h>
+#include <fca/convert/field_of_view.h>
+#include <fca/convert/max_angle_table.h>
 #include <fca/rig/covered_image.h>
 
 #include <algorithm>
@@ -31,8 +31,8 @@ constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 using internal::FitTask;
 
-void warn_of_cone(const FitTask& task, double cone_rad, Diagnostics& diagnostics) {
-  diagnostics.add(Code::kTargetCannotReach, {task.camera.name, task.target.id, cone_rad / kRadiansPerDegree});
+void warn_of_reduced_angle(const FitTask& task, double max_angle_rad, Diagnostics& diagnostics) {
+  diagnostics.add(Code::kTargetCannotReach, {task.camera.name, task.target.id, max_angle_rad / kRadiansPerDegree});
 }
 
 /// Warns if a model that should have rays up to 90 degrees (pinhole-like) has none for a part of the image: its distortion
@@ -40,7 +40,7 @@ void warn_of_cone(const FitTask& task, double cone_rad, Diagnostics& diagnostics
 void warn_of_fold(const Camera& camera, const Coverage& coverage, Diagnostics& diagnostics) {
   constexpr double kCorners = 1e-3;
   constexpr double kToThinkOf = 0.01;
-  if (!sees_ahead_only(model_info(camera.model).id) || coverage.outside_lens < kCorners) return;
+  if (!is_perspective(model_info(camera.model).id) || coverage.outside_lens < kCorners) return;
   diagnostics.add(coverage.outside_lens > kToThinkOf ? Severity::kWarning : Severity::kNote, Code::kFoldsInsideImage,
                   {camera.name, max_angle(camera.model) / kRadiansPerDegree, coverage.outside_lens});
 }
@@ -78,12 +78,12 @@ double stretch_on_axis(const CameraModel& model) {
   return (squares + std::sqrt(std::max(0.0, squares * squares - 4.0 * determinant * determinant))) / (2.0 * determinant);
 }
 
-/// No sensor has pixels stretched that much. To save time, one fit is made, without a search for a smaller cone or a higher
+/// No sensor has pixels stretched that much. To save time, one fit is made, without a search for a smaller angle or a higher
 /// degree.
 ConvertOptions within_reason(ConvertOptions options, double stretch, const ModelInfo& target) {
   constexpr double kNoSensor = 3.0;
   if (stretch <= kNoSensor) return options;
-  options.cone = false;
+  options.reduce_angle = false;
   if (target.least_degree > 0) options.degree = options.degree.value_or(target.least_degree);
   return options;
 }
@@ -98,30 +98,30 @@ bool is_worth_a_fit(const Camera& camera, double stretch, Diagnostics& diagnosti
 }
 
 /// The full evaluation of a model, given its errors on the lattice.
-Judgement final_judgement(const FitTask& task, const internal::Scorer& scorer, internal::Score lattice) {
-  return internal::judge_all(scorer, std::move(lattice), {task.options.every_pixel, task.options.bound});
+ErrorStatistics final_statistics(const FitTask& task, const internal::Scorer& scorer, internal::Score lattice) {
+  return internal::evaluate_all(scorer, std::move(lattice), {task.options.every_pixel, task.options.bound});
 }
 
-/// The angle [deg] up to which a model is scored whose fit is valid up to `reach_rad`.
-double scored_to_deg(const FitTask& task, const CameraModel& model, double reach_rad) {
-  return std::min({task.domain.max_angle_rad, reach_rad, max_angle(model)}) / kRadiansPerDegree;
+/// The angle [deg] up to which a model is scored whose fit is valid up to `max_angle_rad`.
+double scored_to_deg(const FitTask& task, const CameraModel& model, double max_angle_rad) {
+  return std::min({task.field_of_view.max_angle_rad, max_angle_rad, max_angle(model)}) / kRadiansPerDegree;
 }
 
-internal::Scorer scorer_of(const FitTask& task, const CameraModel& model, double reach_rad) {
-  return {task.camera.model, &model, nullptr, task.domain, reach_rad};
+internal::Scorer scorer_of(const FitTask& task, const CameraModel& model, double max_angle_rad) {
+  return {task.camera.model, &model, nullptr, task.field_of_view, max_angle_rad};
 }
 
 /// Is the image's every pixel surely scored where the target is the source?
 bool is_surely_whole(const FitTask& task) {
-  return !task.domain.circle && task.domain.why.code == Code::kDomainWholeImage &&
-         is_surely_covered(task.camera.model, task.domain.size);
+  return !task.field_of_view.circle && task.field_of_view.why.code == Code::kFieldOfViewWholeImage &&
+         is_surely_covered(task.camera.model, task.field_of_view.size);
 }
 
 /// Coverage without errors.
-Judgement whole_image(const Domain& domain) {
-  Judgement result;
-  result.coverage.max_angle_deg = domain.max_angle_rad / kRadiansPerDegree;
-  result.coverage.why = domain.why;
+ErrorStatistics whole_image(const FieldOfView& field_of_view) {
+  ErrorStatistics result;
+  result.coverage.max_angle_deg = field_of_view.max_angle_rad / kRadiansPerDegree;
+  result.coverage.why = field_of_view.why;
   result.coverage.scored = 1.0;
   return result;
 }
@@ -137,51 +137,51 @@ std::optional<Conversion> exact_conversion(const FitTask& task) {
   conversion.report.exact = true;
   conversion.report.scored_to_deg = scored_to_deg(task, *model, std::numbers::pi);
   if (!task.options.errors_of_kept && *model == task.camera.model && is_surely_whole(task)) {
-    conversion.report.judgement = whole_image(task.domain);
+    conversion.report.statistics = whole_image(task.field_of_view);
     return conversion;
   }
   const internal::Scorer scorer = scorer_of(task, *model, std::numbers::pi);
-  conversion.report.judgement = final_judgement(task, scorer, internal::score_on_lattice(scorer));
+  conversion.report.statistics = final_statistics(task, scorer, internal::score_on_lattice(scorer));
   return conversion;
 }
 
 /// Replaces a least-squares fit by the camera near it with the smallest maximum error, if its maximum is smaller and it covers
 /// as much of the image.
-void minimise_largest_error(const FitTask& task, double reach_rad, std::span<const ParameterRange> ranges,
+void minimise_largest_error(const FitTask& task, double max_angle_rad, std::span<const ParameterRange> ranges,
                             Conversion& conversion) {
   using Clock = std::chrono::steady_clock;
   ConversionReport& report = conversion.report;
   CameraModel& model = conversion.camera.model;
-  const Judgement& before = report.judgement;
+  const ErrorStatistics& before = report.statistics;
   report.objective = Objective::kMax;
   report.rms_fit = {before.error.rms, before.error.max, true};
   const Clock::time_point start = Clock::now();
-  internal::MinimaxFit fit = internal::fit_largest_error(task.camera.model, model, task.domain, reach_rad, ranges);
+  internal::MinimaxFit fit = internal::fit_largest_error(task.camera.model, model, task.field_of_view, max_angle_rad, ranges);
   report.fit.time_us += std::chrono::duration<double, std::micro>(Clock::now() - start).count();
   report.fit.iterations += fit.iterations;
   if (!validate(fit.model).empty()) return;
-  const internal::Scorer scorer = scorer_of(task, fit.model, reach_rad);
-  Judgement after = final_judgement(task, scorer, internal::score_on_lattice(scorer));
+  const internal::Scorer scorer = scorer_of(task, fit.model, max_angle_rad);
+  ErrorStatistics after = final_statistics(task, scorer, internal::score_on_lattice(scorer));
   if (!(after.error.max < before.error.max && after.coverage.scored >= before.coverage.scored)) return;
   report.rms_fit->kept = false;
-  report.judgement = std::move(after);
+  report.statistics = std::move(after);
   report.at_bound = std::move(fit.at_bound);
   model = fit.model;
 }
 
-/// The first fit with a proven error bound, or the first fit if none has one or no bound is requested. `judgement` receives its
-/// evaluation.
-internal::DegreeFit& choose_proven(const FitTask& task, std::vector<internal::DegreeFit>& fits, Judgement& judgement) {
-  const auto judged = [&task](internal::DegreeFit& each) {
-    const internal::Scorer scorer = scorer_of(task, each.fit.fitted.model->model, each.fit.fitted.reach_rad);
-    return final_judgement(task, scorer, std::move(each.fit.score));
+/// The first fit with a proven error bound, or the first fit if none has one or no bound is requested. `statistics` receives
+/// its evaluation.
+internal::DegreeFit& choose_proven(const FitTask& task, std::vector<internal::DegreeFit>& fits, ErrorStatistics& statistics) {
+  const auto evaluated = [&task](internal::DegreeFit& each) {
+    const internal::Scorer scorer = scorer_of(task, each.fit.fitted.model->model, each.fit.fitted.max_angle_rad);
+    return final_statistics(task, scorer, std::move(each.fit.score));
   };
-  judgement = judged(fits.front());
-  if (!task.options.bound || std::isfinite(judgement.error.bound)) return fits.front();
+  statistics = evaluated(fits.front());
+  if (!task.options.bound || std::isfinite(statistics.error.bound)) return fits.front();
   for (internal::DegreeFit& each : std::span(fits).subspan(1)) {
-    Judgement other = judged(each);
+    ErrorStatistics other = evaluated(each);
     if (!std::isfinite(other.error.bound)) continue;
-    judgement = std::move(other);
+    statistics = std::move(other);
     return each;
   }
   return fits.front();
@@ -195,8 +195,8 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
     diagnostics.add(Code::kTooFewRaysToFit, {task.camera.name, task.target.id});
     return std::nullopt;
   }
-  const ImageSize& size = task.domain.size;
-  const double pixels = fits.front().fit.score.judgement.coverage.scored * size.width * size.height;
+  const ImageSize& size = task.field_of_view.size;
+  const double pixels = fits.front().fit.score.statistics.coverage.scored * size.width * size.height;
   if (first.model && 2.0 * pixels < static_cast<double>(task.target.parameters.size())) {
     diagnostics.add(Code::kTooFewPixelsToFit, {task.camera.name, task.target.id});
     return std::nullopt;
@@ -206,10 +206,10 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
     return std::nullopt;
   }
   Conversion conversion{task.camera, {}};
-  const internal::DegreeFit& chosen = choose_proven(task, fits, conversion.report.judgement);
+  const internal::DegreeFit& chosen = choose_proven(task, fits, conversion.report.statistics);
   const internal::SampledFit& fitted = chosen.fit.fitted;
-  conversion.report.fitted_to_cone = fitted.reach_rad < std::numbers::pi;
-  if (conversion.report.fitted_to_cone) warn_of_cone(task, fitted.reach_rad, diagnostics);
+  conversion.report.angle_reduced = fitted.max_angle_rad < std::numbers::pi;
+  if (conversion.report.angle_reduced) warn_of_reduced_angle(task, fitted.max_angle_rad, diagnostics);
   conversion.camera.model = fitted.model->model;
   conversion.report.fit = {static_cast<int>(fitted.samples), fitted.model->iterations, chosen.fit.time.count()};
   conversion.report.at_bound = fitted.model->at_bound;
@@ -222,40 +222,40 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
   if (task.options.absorb_turn) {
     internal::absorb_turn(task, chosen, conversion, diagnostics);
   } else if (internal::has_equal_weights(task.options.weight)) {
-    conversion.report.turn_offer = internal::offered_turn(task, chosen, conversion.report.judgement.error.rms);
+    conversion.report.turn_offer = internal::offered_turn(task, chosen, conversion.report.statistics.error.rms);
   }
-  if (task.options.objective == Objective::kMax) minimise_largest_error(task, fitted.reach_rad, chosen.ranges, conversion);
-  conversion.report.scored_to_deg = scored_to_deg(task, conversion.camera.model, fitted.reach_rad);
+  if (task.options.objective == Objective::kMax) minimise_largest_error(task, fitted.max_angle_rad, chosen.ranges, conversion);
+  conversion.report.scored_to_deg = scored_to_deg(task, conversion.camera.model, fitted.max_angle_rad);
   return conversion;
 }
 
-/// True if the weights are not an image, or an image of the camera's size that is not black on the whole domain; otherwise
-/// false, with an error.
-bool is_usable(const FitWeight& weight, const Camera& camera, const Domain& domain, Diagnostics& diagnostics) {
+/// True if the weights are not an image, or an image of the camera's size that is not black on the whole field of view;
+/// otherwise false, with an error.
+bool is_usable(const FitWeight& weight, const Camera& camera, const FieldOfView& field_of_view, Diagnostics& diagnostics) {
   if (weight.kind != WeightKind::kImage) return true;
   const ImageSize size = weight.density != nullptr ? ImageSize{weight.density->width, weight.density->height} : ImageSize{0, 0};
-  if (size != domain.size) {
-    diagnostics.add(Code::kImageOfOtherSize, {size.width, size.height, camera.name, domain.size.width, domain.size.height,
-                                              Message{Code::kGiveCalibratedSize}});
+  if (size != field_of_view.size) {
+    diagnostics.add(Code::kImageOfOtherSize, {size.width, size.height, camera.name, field_of_view.size.width,
+                                              field_of_view.size.height, Message{Code::kGiveCalibratedSize}});
     return false;
   }
-  if (internal::counts_any(*weight.density, camera.model, domain)) return true;
+  if (internal::counts_any(*weight.density, camera.model, field_of_view)) return true;
   diagnostics.add(Code::kWeightsBlack, {camera.name});
   return false;
 }
 
 /// The weighted rms of the conversion; nullopt if the caller chose equal weights for all pixels.
 std::optional<WeightedRms> weighted_error(const Camera& camera, const FitWeight& weight, const Conversion& conversion,
-                                          const Domain& domain) {
+                                          const FieldOfView& field_of_view) {
   if (weight.kind == WeightKind::kPixel) return std::nullopt;
   const ConversionReport& report = conversion.report;
-  if (internal::has_equal_weights(weight)) return WeightedRms{weight.kind, report.judgement.error.rms};
-  // Only scored rays count; the slack keeps the last ray of the domain.
+  if (internal::has_equal_weights(weight)) return WeightedRms{weight.kind, report.statistics.error.rms};
+  // Only scored rays count; the slack keeps the last ray of the field of view.
   constexpr double kSlack = 1.0 + 1e-9;
-  const double reach_rad = kSlack * report.scored_to_deg * kRadiansPerDegree;
+  const double max_angle_rad = kSlack * report.scored_to_deg * kRadiansPerDegree;
   const Transform* turn = report.turn ? &report.turn->T_target_source : nullptr;
   return WeightedRms{weight.kind,
-                     internal::weighted_rms(weight, camera.model, conversion.camera.model, domain, reach_rad, turn)};
+                     internal::weighted_rms(weight, camera.model, conversion.camera.model, field_of_view, max_angle_rad, turn)};
 }
 
 /// True if the options are valid for a fit of `target`; otherwise false, with an error.
@@ -317,15 +317,15 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   const std::optional<ConvertOptions> fixed = internal::with_fixed(camera, *target, options, diagnostics);
   if (!fixed) return std::nullopt;
   if (!camera.rays.empty()) return internal::convert_table(camera, *target, *fixed, diagnostics);
-  const std::optional<Domain> domain = domain_of(camera, options.max_angle_rad, diagnostics);
-  if (!domain) return std::nullopt;
-  warn_of_odd_camera(camera, domain->size, diagnostics);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, options.max_angle_rad, diagnostics);
+  if (!field_of_view) return std::nullopt;
+  warn_of_odd_camera(camera, field_of_view->size, diagnostics);
   const LensCentre centre{central_focal_lengths(camera.model), principal_point(camera.model)};
   const double stretch = stretch_on_axis(camera.model);
   ConvertOptions reasonable = within_reason(*fixed, stretch, *target);
-  if (!is_usable(options.weight, camera, *domain, diagnostics)) return std::nullopt;
+  if (!is_usable(options.weight, camera, *field_of_view, diagnostics)) return std::nullopt;
   if (internal::has_equal_weights(options.weight)) reasonable.weight = {};
-  const FitTask task{camera, *target, reasonable, *domain, centre};
+  const FitTask task{camera, *target, reasonable, *field_of_view, centre};
 
   std::optional<Conversion> conversion = exact_conversion(task);
   if (!conversion && internal::id_without_skew(target->id) != target->id) {
@@ -340,12 +340,13 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   }
   if (!conversion && is_worth_a_fit(camera, stretch, diagnostics)) conversion = fitted_conversion(task, diagnostics);
   if (!conversion) return std::nullopt;
-  if (!options.max_angle_rad && !camera.lens_circle) warn_of_fold(camera, conversion->report.judgement.coverage, diagnostics);
+  if (!options.max_angle_rad && !camera.lens_circle) warn_of_fold(camera, conversion->report.statistics.coverage, diagnostics);
   conversion->report.from_model = model_info(camera.model).id;
   conversion->report.to_model = target->id;
-  conversion->report.weighted = weighted_error(camera, options.weight, *conversion, *domain);
-  if (options.reach) conversion->report.reach = reach_table(camera, options, conversion->report, diagnostics);
-  if (!(conversion->report.judgement.coverage.scored > 0.0)) {
+  conversion->report.weighted = weighted_error(camera, options.weight, *conversion, *field_of_view);
+  if (options.max_angle_table)
+    conversion->report.max_angles = max_angle_table(camera, options, conversion->report, diagnostics);
+  if (!(conversion->report.statistics.coverage.scored > 0.0)) {
     diagnostics.add(Code::kNoPartCompared, {camera.name, target->id});
     return std::nullopt;
   }

@@ -2,7 +2,7 @@
 #include "table_conversion.h"
 
 #include "fitting/degree.h"
-#include "fitting/fit_domain.h"
+#include "fitting/fit_field_of_view.h"
 #include "fitting/fit_model.h"
 #include "fitting/turn.h"
 
@@ -56,7 +56,7 @@ double share_behind(const Table& table) {
 }
 
 /// The entries inside the image, the lens circle and the options' angle.
-Table of_domain(const Camera& camera, const ConvertOptions& options) {
+Table of_field_of_view(const Camera& camera, const ConvertOptions& options) {
   Table table = camera.rays;
   if (camera.image_size) {
     const auto [width, height] = *camera.image_size;
@@ -74,43 +74,43 @@ Table of_domain(const Camera& camera, const ConvertOptions& options) {
 /// A fit, and the angle up to which it is valid.
 struct TableFit {
   std::optional<FittedModel> model;
-  double reach_rad = std::numbers::pi;
+  double max_angle_rad = std::numbers::pi;
   std::size_t entries = 0;
   int degree = 0;
 };
 
-/// True if the fit describes its entries, by the rule in fit_domain.h.
+/// True if the fit describes its entries, by the rule in fit_field_of_view.h.
 bool describes(const FittedModel& fit, std::string_view target) {
   constexpr double kLimitRms = 1.0;  // px
-  return fit.reaches_all && (!sees_ahead_only(target) || fit.rms_px <= kLimitRms);
+  return fit.reaches_all && (!is_perspective(target) || fit.rms_px <= kLimitRms);
 }
 
 TableFit fit_table(const Table& table, const LensCentre& centre, const ModelInfo& target, const DegreeRanges& degree,
-                   bool cone) {
+                   bool reduce_angle) {
   TableFit whole{fit_model(target.id, table, centre, degree.ranges), std::numbers::pi, table.size(), degree.degree};
-  if (!cone || (whole.model && describes(*whole.model, target.id))) return whole;
+  if (!reduce_angle || (whole.model && describes(*whole.model, target.id))) return whole;
   constexpr int kStepDeg = 5;
   const double furthest = largest_angle(table) / kRadiansPerDegree;
-  const double below = sees_ahead_only(target.id) ? std::min(furthest, kAheadDeg) : furthest;
+  const double below = is_perspective(target.id) ? std::min(furthest, kAheadDeg) : furthest;
   for (int deg = static_cast<int>(std::ceil(below / kStepDeg) - 1.0) * kStepDeg; deg >= kStepDeg; deg -= kStepDeg) {
-    const double reach_rad = deg * kRadiansPerDegree;
-    const Table narrower = inside(table, reach_rad);
+    const double max_angle_rad = deg * kRadiansPerDegree;
+    const Table narrower = inside(table, max_angle_rad);
     if (too_few(narrower.size(), target)) break;
     std::optional<FittedModel> fit = fit_model(target.id, narrower, centre, degree.ranges);
-    if (fit && describes(*fit, target.id)) return {std::move(fit), reach_rad, narrower.size(), degree.degree};
+    if (fit && describes(*fit, target.id)) return {std::move(fit), max_angle_rad, narrower.size(), degree.degree};
   }
   return whole;
 }
 
-/// The fit of the lowest degree that is nearly as good as the best one, among the degrees that cover as large a cone as the
+/// The fit of the lowest degree that is nearly as good as the best one, among the degrees that cover as large an angle as the
 /// lowest does.
 TableFit fit_degrees_of_table(const Table& table, const LensCentre& centre, const ModelInfo& target,
                               const ConvertOptions& options) {
   std::vector<TableFit> fits;
   for (const DegreeRanges& degree : degrees_to_try(target, options)) {
-    TableFit fit = fit_table(table, centre, target, degree, options.cone);
+    TableFit fit = fit_table(table, centre, target, degree, options.reduce_angle);
     const bool is_first = fits.empty();
-    if (!is_first && (!fit.model || !fits.front().model || fit.reach_rad < fits.front().reach_rad)) continue;
+    if (!is_first && (!fit.model || !fits.front().model || fit.max_angle_rad < fits.front().max_angle_rad)) continue;
     fits.push_back(std::move(fit));
     if (is_first && !fits.front().model) break;
     if (fits.back().model->rms_px < kGoodEnoughPx) break;
@@ -133,7 +133,7 @@ std::optional<Conversion> convert_table(const Camera& camera, const ModelInfo& t
     diagnostics.add(Code::kRaysCountAlike, {camera.name});
     return std::nullopt;
   }
-  const Table table = of_domain(camera, options);
+  const Table table = of_field_of_view(camera, options);
   if (const double share = share_behind(table); share > kFewBehind) {
     diagnostics.add(Code::kRaysAllAround, {camera.name, 100.0 * share});
     return std::nullopt;
@@ -156,19 +156,19 @@ std::optional<Conversion> convert_table(const Camera& camera, const ModelInfo& t
   ConversionReport& report = conversion.report;
   report.from_model = camera.lens_id();
   report.to_model = target.id;
-  report.fitted_to_cone = fit.reach_rad < std::numbers::pi;
-  if (report.fitted_to_cone) {
-    diagnostics.add(Code::kTargetCannotReach, {camera.name, target.id, fit.reach_rad / kRadiansPerDegree});
+  report.angle_reduced = fit.max_angle_rad < std::numbers::pi;
+  if (report.angle_reduced) {
+    diagnostics.add(Code::kTargetCannotReach, {camera.name, target.id, fit.max_angle_rad / kRadiansPerDegree});
   }
   const double furthest = largest_angle(table);
-  report.scored_to_deg = std::min({furthest, fit.reach_rad, max_angle(fit.model->model)}) / kRadiansPerDegree;
+  report.scored_to_deg = std::min({furthest, fit.max_angle_rad, max_angle(fit.model->model)}) / kRadiansPerDegree;
   report.fit = {static_cast<int>(fit.entries), fit.model->iterations, time.count()};
   report.degree = fit.degree;
   report.at_bound = fit.model->at_bound;
 
   Transform T_target_source;
   if (options.absorb_turn) {
-    const Table counted = inside(table, fit.reach_rad);
+    const Table counted = inside(table, fit.max_angle_rad);
     if (std::optional<TurnedFit> turned = fit_with_turn(*fit.model, counted, options.ranges)) {
       T_target_source = turned->T_target_source;
       report.turn = AbsorbedTurn{T_target_source, fit.model->rms_px, 0.0};
@@ -178,15 +178,15 @@ std::optional<Conversion> convert_table(const Camera& camera, const ModelInfo& t
       diagnostics.add(Code::kTurnDoesNotHelp, {camera.name});
     }
   }
-  Domain domain;
-  domain.max_angle_rad = furthest;
-  domain.why = {Code::kRaysEndThere};
-  report.judgement = judge_table(table, domain, [&](const Ray& ray) {
-    return angle_from_axis(ray) <= fit.reach_rad ? project(conversion.camera.model, rotated(T_target_source, ray))
-                                                 : std::nullopt;
+  FieldOfView field_of_view;
+  field_of_view.max_angle_rad = furthest;
+  field_of_view.why = {Code::kRaysEndThere};
+  report.statistics = evaluate_table(table, field_of_view, [&](const Ray& ray) {
+    return angle_from_axis(ray) <= fit.max_angle_rad ? project(conversion.camera.model, rotated(T_target_source, ray))
+                                                     : std::nullopt;
   });
   diagnostics.add(Code::kOnlyRaysCompared, {camera.name, table.size()});
-  if (!(report.judgement.coverage.scored > 0.0)) {
+  if (!(report.statistics.coverage.scored > 0.0)) {
     diagnostics.add(Code::kNoPartCompared, {camera.name, target.id});
     return std::nullopt;
   }

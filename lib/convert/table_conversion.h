@@ -10,9 +10,9 @@
 namespace fca::internal {
 
 /// Fits the model `target` to the entries of camera.rays inside options.max_angle_rad. If it cannot describe all of them
-/// (radtan at 90 degrees), fits it to the largest cone, in steps of 5 degrees, that it describes, and adds a warning. Errors
-/// are measured at the rays, with their weights; no bound is proven. Shares in the report's coverage are shares of the rays,
-/// not of the image. nullopt, with an error, if no fit succeeds.
+/// (radtan at 90 degrees), fits it up to the largest angle, in steps of 5 degrees, that it describes, and adds a warning.
+/// Errors are measured at the rays, with their weights; no bound is proven. Shares in the report's coverage are shares of the
+/// rays, not of the image. nullopt, with an error, if no fit succeeds.
 [[nodiscard]] std::optional<Conversion> convert_table(const Camera& camera, const ModelInfo& target,
                                                       const ConvertOptions& options, Diagnostics& diagnostics);
 

@@ -41,7 +41,7 @@ std::span<const CodeInfo> comparison_codes() {
       clause(Code::kOnlyPose, "the pose of {0}"),
       clause(Code::kOnlyPoseBetween, "the pose of {0} to {1}"),
 
-      // Slips of the pen, in poses.
+      // Common mistakes, in poses.
       about_poses(error(Code::kPoseHoldsInverse, kInverted,
                         "{0} holds the other direction (its inverse agrees with the other poses)",
                         "invert it: R^T and -R^T t")),
@@ -83,7 +83,7 @@ std::span<const CodeInfo> comparison_codes() {
       error(Code::kParametersExchanged, kSwapped, "{0} has {1} and {2} exchanged"),
       error(Code::kCoefficientsInOrder, kSwapped, "{0} has its coefficients in the order {1} under the names {2}"),
       error(Code::kUnderAnotherName, "wrong-model", "{0} holds the numbers of {1} under the name of {2}"),
-      error(Code::kDistortionLeftOut, "distortion-left-out", "{0} has the numbers of the reference, without its distortion"),
+      error(Code::kDistortionRemoved, "distortion-left-out", "{0} has the numbers of the reference, without its distortion"),
 
       // In numbers.
       error(Code::kTimeOffsetOfOtherSign, "time-offset-sign",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What happens when a model is fitted and judged.
+// What happens when a model is fitted and evaluated.
 #include "rows.h"
 #include "topics.h"
 
@@ -88,14 +88,14 @@ std::span<const CodeInfo> conversion_codes() {
           "compare both with the calibration's result"),
       warning(Code::kCentreOutside, "centre-outside", "{0}: the principal point ({1}, {2}) lies outside the {3} x {4} image",
               "this is right for a part cut out of a larger image; otherwise compare it with the calibration's result"),
-      clause(Code::kDomainGiven, "given"),
-      clause(Code::kDomainInsideGiven, "the whole image (it ends inside the given angle)"),
-      clause(Code::kDomainModelEnds, "the source model ends there, inside the image"),
-      clause(Code::kDomainWholeImage, "the whole image (no input contains the lens's angle)"),
-      clause(Code::kDomainInsideCircle, "the whole image (it ends inside {0})"),
-      clause(Code::kDomainAndInsideCircle, "{0}, and inside {1}"),
-      clause(Code::kDomainAndCircle, "{0}, and {1}"),
-      clause(Code::kDomainWithoutRay, "no pixel has a ray"),
+      clause(Code::kFieldOfViewGiven, "given"),
+      clause(Code::kFieldOfViewInsideGiven, "the whole image (it ends inside the given angle)"),
+      clause(Code::kFieldOfViewModelEnds, "the source model ends there, inside the image"),
+      clause(Code::kFieldOfViewWholeImage, "the whole image (no input contains the lens's angle)"),
+      clause(Code::kFieldOfViewInsideCircle, "the whole image (it ends inside {0})"),
+      clause(Code::kFieldOfViewAndInsideCircle, "{0}, and inside {1}"),
+      clause(Code::kFieldOfViewAndCircle, "{0}, and {1}"),
+      clause(Code::kFieldOfViewWithoutRay, "no pixel has a ray"),
   };
   return kRows;
 }

@@ -20,7 +20,7 @@ constexpr std::string_view kContradict = "poses-contradict";
 std::span<const CodeInfo> file_codes() {
   static constexpr std::array kRows = {
       // Why a file is of a format.
-      clause(Code::kFormatTold, "as given"),
+      clause(Code::kFormatGiven, "as given"),
       clause(Code::kFoundKey, "the key {0}"),
       clause(Code::kFoundKeys, "{0}"),
       clause(Code::kFoundTopLevel, "top-level {0}"),
@@ -195,7 +195,7 @@ std::span<const CodeInfo> file_codes() {
       warning(Code::kPoseContradictsOthers, kContradict,
               "T_{0}_{1} contradicts the other poses ({2}): what follows from them differs by {3:.3} deg and {4}",
               "one of them is wrong; fca-io uses poses of the file before computed ones"),
-      warning(Code::kPoseOfEachUnstated, "pose-unstated",
+      warning(Code::kPoseOfEachMissing, "pose-unstated",
               "the files of {0} give the same pose for each camera, as a file of one camera does: their relative poses are "
               "unknown"),
 

@@ -16,7 +16,7 @@ std::span<const CodeInfo> rig_codes() {
               "{0}: images of {1} x {2} px are stretched to {3} x {4}: {5:.3} times as much in width as in height",
               "this is right if a program scales both sides independently; otherwise also give the crop that came first"),
       bad_request(Code::kResizeImpossible, "resize-impossible", "an image cannot have {0} x {1} px"),
-      error(Code::kImageSizeNotStated, "image-size-missing",
+      error(Code::kImageSizeNotGiven, "image-size-missing",
             "{0}: no input contains the size of the images that were calibrated", "give the image size"),
       warning(Code::kLensCircleStretched, "lens-circle-stretched",
               "{0}: in images stretched along one side, the image circle is not a circle; the whole image counts"),

@@ -60,7 +60,7 @@ constexpr CodeInfo misreading(Code code, std::string_view text, std::string_view
           .fix = fix};
 }
 
-/// The same of what a program makes of a file.
+/// The same of what a program reads from a file.
 constexpr CodeInfo about_reader(CodeInfo row) {
   row.about = About::kReader;
   return row;
@@ -96,8 +96,8 @@ constexpr CodeInfo named_misreading(Code code, std::string_view text, std::strin
   return naming(misreading(code, text, fix));
 }
 
-/// How a program's complaint is mended: an id and what to do.
-constexpr CodeInfo mend(Code code, std::string_view id, std::string_view text) {
+/// How a program's complaint is fixed: an id and what to do.
+constexpr CodeInfo remedy(Code code, std::string_view id, std::string_view text) {
   return {.code = code, .id = id, .severity = Severity::kNote, .about = About::kReader, .text = text};
 }
 

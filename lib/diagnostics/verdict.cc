@@ -25,7 +25,7 @@ std::span<const CodeInfo> verdict_codes() {
       about_reader(error(Code::kVerdictNumbersDiffer, "proof-failed", "{0} reads other numbers: {1:and}")),
       warning(Code::kVerdictPosesContradict, "poses-contradict",
               "the input gives T_{0}_{1} twice, and the two differ by {2:.3} deg and {3}{4}"),
-      clause(Code::kPoseWrittenAsStated, "; the file has {0:and} as given"),
+      clause(Code::kPoseWrittenAsGiven, "; the file has {0:and} as given"),
       clause(Code::kPoseWrittenAsDerived, "; the file has the {0} that follows from {1:and}"),
       clause(Code::kPosesWrittenBoth, "; the file has both"),
       clause(Code::kOthersAgree, ": {0} is left out, because all others agree without it"),

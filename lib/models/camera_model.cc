@@ -2,7 +2,7 @@
 #include <fca/models/camera_model.h>
 
 #include <fca/code.h>
-#include <fca/folded_name.h>
+#include <fca/normalised_id.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,10 +55,10 @@ Ray of_usable_length(const Ray& ray) {
 std::span<const ModelInfo> all_models() { return kModels; }
 
 const ModelInfo* find_model(std::string_view name) {
-  const std::string word = folded(name);
+  const std::string word = normalised_id(name);
   const auto matches = [&word](const ModelInfo& info) {
-    return folded(info.id) == word ||
-           std::ranges::any_of(info.aliases, [&word](std::string_view alias) { return folded(alias) == word; });
+    return normalised_id(info.id) == word ||
+           std::ranges::any_of(info.aliases, [&word](std::string_view alias) { return normalised_id(alias) == word; });
   };
   const auto* const found = std::ranges::find_if(kModels, matches);
   return found == kModels.end() ? nullptr : found;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ahead.h"
+#include "pinhole_kernel.h"
 #include "turn_rays.h"
 
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/remap/image_map.h>
 #include <fca/remap/view.h>
 
@@ -55,7 +55,7 @@ struct ImageMapper::Pair {
   double maybe_seen;                        ///< Cosines below: nothing is seen.
   std::optional<internal::BatchRays> rays;  ///< Of the target's model.
   internal::BatchPixels pixels;
-  std::optional<internal::AheadPixels> ahead;  ///< Of a pinhole target, where that is faster.
+  std::optional<internal::PinholePixels> pinhole_pixels;  ///< Of a pinhole target, where that is faster.
 
   Pair(const Camera& from, const ImageSize& to_size, const Transform& T_source_target, double limit_rad)
       : source(from.model),
@@ -68,12 +68,12 @@ struct ImageMapper::Pair {
         maybe_seen(last_rad + kLastAngleSlack < std::numbers::pi ? std::cos(last_rad + kLastAngleSlack) - kClose : -2.0),
         pixels(source, last_rad - kLastAngleSlack) {}
 
-  Pair(const Camera& from, const Camera& to, const Transform& T_source_target, double target_reach_rad, double limit_rad)
+  Pair(const Camera& from, const Camera& to, const Transform& T_source_target, double target_max_angle_rad, double limit_rad)
       : Pair(from, *to.image_size, T_source_target, limit_rad) {
     target = to.model;
-    rays.emplace(*target, target_reach_rad);
+    rays.emplace(*target, target_max_angle_rad);
     if (const auto* pinhole = std::get_if<Intrinsics<Pinhole>>(&*target))
-      ahead = internal::AheadPixels::of(source, from_plane(rotation, *pinhole), surely_seen);
+      pinhole_pixels = internal::PinholePixels::of(source, from_plane(rotation, *pinhole), surely_seen);
   }
 
   /// The pixels u = first .. first + count - 1 of a row, at most a batch of them.
@@ -81,13 +81,13 @@ struct ImageMapper::Pair {
   void find_rays(Batch& batch, std::size_t count) const;
   /// The place of a ray that the kernels left open, from the source's model.
   void look_closer(const Ray& ray, float* uv) const;
-  void leave_out_dark(std::span<float> uv) const;
+  void remove_dark(std::span<float> uv) const;
 };
 
 void ImageMapper::Pair::write(std::size_t first, int v, std::size_t count, float* uv) const {
   const auto left = static_cast<double>(first);
-  if (ahead && ahead->covers(left, v, count)) {
-    if ((*ahead)(left, v, count, uv) == 0) return;
+  if (pinhole_pixels && pinhole_pixels->covers(left, v, count)) {
+    if ((*pinhole_pixels)(left, v, count, uv) == 0) return;
     for (std::size_t i = 0; i < count; ++i) {
       if (std::isfinite(uv[2 * i]) && std::isfinite(uv[2 * i + 1])) continue;
       const Ray ray = unproject(*target, {left + static_cast<double>(i), static_cast<double>(v)}).value_or(Ray{});
@@ -146,7 +146,7 @@ void ImageMapper::Pair::look_closer(const Ray& ray, float* uv) const {
 }
 
 /// Places outside the lens.
-void ImageMapper::Pair::leave_out_dark(std::span<float> uv) const {
+void ImageMapper::Pair::remove_dark(std::span<float> uv) const {
   for (std::size_t i = 0; i + 1 < uv.size(); i += 2) {
     if (!lens->contains({static_cast<double>(uv[i]), static_cast<double>(uv[i + 1])})) uv[i] = uv[i + 1] = kNothing;
   }
@@ -159,8 +159,8 @@ ImageMapper::~ImageMapper() = default;
 
 std::optional<ImageMapper> ImageMapper::between(const Camera& source, const Camera& target, const Transform& T_source_target,
                                                 std::optional<double> limit_rad, Diagnostics& diagnostics) {
-  const std::optional<Domain> from = domain_of(source, limit_rad, diagnostics);
-  const std::optional<Domain> to = domain_of(target, std::nullopt, diagnostics);
+  const std::optional<FieldOfView> from = field_of_view_of(source, limit_rad, diagnostics);
+  const std::optional<FieldOfView> to = field_of_view_of(target, std::nullopt, diagnostics);
   if (!from || !to) return std::nullopt;
   return ImageMapper(
       std::make_unique<const Pair>(source, target, T_source_target, to->max_angle_rad, limit_rad.value_or(std::numbers::pi)));
@@ -169,7 +169,7 @@ std::optional<ImageMapper> ImageMapper::between(const Camera& source, const Came
 std::optional<ImageMapper> ImageMapper::to_equirectangular(const Camera& source, const ImageSize& size,
                                                            const Transform& T_source_target, std::optional<double> limit_rad,
                                                            Diagnostics& diagnostics) {
-  if (!domain_of(source, limit_rad, diagnostics)) return std::nullopt;
+  if (!field_of_view_of(source, limit_rad, diagnostics)) return std::nullopt;
   return ImageMapper(std::make_unique<const Pair>(source, size, T_source_target, limit_rad.value_or(std::numbers::pi)));
 }
 
@@ -179,7 +179,7 @@ void ImageMapper::row(int v, std::span<float> uv) const {
   const auto width = static_cast<std::size_t>(pair_->size.width);
   for (std::size_t first = 0; first < width; first += Batch::kSize)
     pair_->write(first, v, std::min(Batch::kSize, width - first), uv.data() + 2 * first);
-  if (pair_->lens) pair_->leave_out_dark(uv.first(2 * width));
+  if (pair_->lens) pair_->remove_dark(uv.first(2 * width));
 }
 
 ImageMap image_map(const ImageMapper& mapper) {

@@ -2,7 +2,7 @@
 // The circle on which steps from dark to light lie, among others that do not.
 #pragma once
 
-#include "lit_steps.h"
+#include "rim_steps.h"
 
 #include <cmath>
 #include <functional>

@@ -2,7 +2,7 @@
 #include <fca/rig/contradictions.h>
 
 #include <fca/code.h>
-#include <fca/rig/pose_slip.h>
+#include <fca/rig/pose_mistake.h>
 #include <fca/rig/rotation.h>
 #include <fca/rig/stereo_order.h>
 #include <fca/rig/stereo_pair.h>
@@ -172,7 +172,7 @@ std::vector<Contradiction> one_by_one(Rig rig, std::vector<PoseLoop> loops) {
 }
 
 /// One mistake that was made in all poses of `edges`, where undoing it in all of them closes every loop.
-std::vector<Contradiction> made_in_all(const std::vector<std::size_t>& edges, const PoseSlip& mistake, const Rig& rig,
+std::vector<Contradiction> made_in_all(const std::vector<std::size_t>& edges, const PoseMistake& mistake, const Rig& rig,
                                        bool (*is_closed)(const PoseLoop&)) {
   Rig meant = rig;
   std::vector<Contradiction> found;
@@ -195,7 +195,7 @@ std::vector<Contradiction> in_smaller_unit(const Rig& rig, const std::vector<Sus
   if (edges.empty() || edges.size() == rig.poses.size()) return {};
   const auto is_closed = [](const PoseLoop& loop) { return !loop.difference.contradicts(); };
   for (const Code unit : {Code::kPoseInMillimetres, Code::kPoseInCentimetres}) {
-    const auto mistake = std::ranges::find(pose_slips(), unit, &PoseSlip::code);
+    const auto mistake = std::ranges::find(pose_mistakes(), unit, &PoseMistake::code);
     std::vector<Contradiction> found = made_in_all(edges, *mistake, rig, is_closed);
     if (found.size() == 1) found.front().blame = blame_of(edges.front(), suspects, rig);
     if (!found.empty()) return found;
@@ -219,7 +219,7 @@ std::vector<Contradiction> in_all_of_imu(const Rig& rig, const std::vector<Suspe
     constexpr double kPrinted = 1e-5;  // rad, m
     return loop.difference.angle_rad < kPrinted && loop.difference.distance_m < kPrinted;
   };
-  for (const PoseSlip& mistake : pose_slips()) {
+  for (const PoseMistake& mistake : pose_mistakes()) {
     std::vector<Contradiction> found = made_in_all(edges, mistake, rig, is_closed);
     if (!found.empty()) return found;
   }
@@ -254,7 +254,7 @@ std::optional<Contradiction> outvoted_pose(const Rig& rig) {
 
 bool reports_contradiction(Code code) {
   return same_id(code, Code::kAnyPosesContradict) ||
-         std::ranges::find(pose_slips(), code, &PoseSlip::code) != pose_slips().end();
+         std::ranges::find(pose_mistakes(), code, &PoseMistake::code) != pose_mistakes().end();
 }
 
 bool is_too_long(double metres, std::string_view from, const Rig& rig) {

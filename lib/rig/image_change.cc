@@ -97,7 +97,7 @@ std::optional<ChangedImage> changed_image(const ImageSize& size, const ImageChan
 std::optional<Camera> with_changed_images(const Camera& camera, const ImageChange& change, Diagnostics& diagnostics) {
   if (change.changes_nothing()) return camera;
   if (!camera.image_size) {
-    diagnostics.add(Code::kImageSizeNotStated, {camera.name});
+    diagnostics.add(Code::kImageSizeNotGiven, {camera.name});
     return std::nullopt;
   }
   const std::optional<ChangedImage> changed = changed_image(*camera.image_size, change, diagnostics);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The core of a conversion, sampling and fit together at N = 200: the paper's 12 pairs, and a selection of others. Not in it:
-// the domain, which a conversion asks for once, and the judge.
+// the field of view, which a conversion asks for once, and the evaluation.
 #include "lib/convert/known_cameras.h"
 
 #include <convert/fitting/fit_model.h>
 #include <convert/sampling/edge_samples.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/convert/sample.h>
 
 #include <benchmark/benchmark.h>
@@ -27,12 +27,13 @@ struct Source {
 
 void convert_core(benchmark::State& state, const Source& source, const std::string& target) {
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(source.camera, source.max_angle_deg * test::kRadians, diagnostics);
+  const std::optional<FieldOfView> field_of_view =
+      field_of_view_of(source.camera, source.max_angle_deg * test::kRadians, diagnostics);
   const LensCentre centre{central_focal_lengths(source.camera.model), principal_point(source.camera.model)};
   std::optional<internal::FittedModel> fitted;
   for (auto _ : state) {
-    std::vector<Correspondence> samples = sample(source.camera.model, *domain, kSamples);
-    if (internal::may_end_early(target)) internal::add_edge(source.camera.model, *domain, samples);
+    std::vector<Correspondence> samples = sample(source.camera.model, *field_of_view, kSamples);
+    if (internal::may_end_early(target)) internal::add_edge(source.camera.model, *field_of_view, samples);
     fitted = internal::fit_model(target, samples, centre, {});
     benchmark::DoNotOptimize(fitted);
   }
@@ -47,8 +48,9 @@ void convert_core(benchmark::State& state, const Source& source, const std::stri
 
 void sampling(benchmark::State& state, const Source& source) {
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(source.camera, source.max_angle_deg * test::kRadians, diagnostics);
-  for (auto _ : state) benchmark::DoNotOptimize(sample(source.camera.model, *domain, kSamples));
+  const std::optional<FieldOfView> field_of_view =
+      field_of_view_of(source.camera, source.max_angle_deg * test::kRadians, diagnostics);
+  for (auto _ : state) benchmark::DoNotOptimize(sample(source.camera.model, *field_of_view, kSamples));
 }
 
 void add(const std::string& group, const Source& source, const std::vector<std::string>& targets) {

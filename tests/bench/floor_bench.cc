@@ -29,7 +29,7 @@ void reach_floor(benchmark::State& state, const test::Floor& floor) {
     return;
   }
   char label[64];
-  std::snprintf(label, sizeof label, "ours / floor %.4f", conversion->report.judgement.error.rms / floor.rms);
+  std::snprintf(label, sizeof label, "ours / floor %.4f", conversion->report.statistics.error.rms / floor.rms);
   state.SetLabel(label);
 }
 

@@ -2,7 +2,7 @@
 // Points per second of project and unproject, per model: a camera that model can well be, over 4,096 points of its image.
 #include "lib/convert/known_cameras.h"
 
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/convert/sample.h>
 
 #include <convert/fitting/fit_model.h>
@@ -23,16 +23,16 @@ constexpr int kPoints = 4096;
 CameraModel model_of(const ModelInfo& info) {
   const Camera source = test::euroc();
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(source, {}, diagnostics);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(source, {}, diagnostics);
   const LensCentre centre{central_focal_lengths(source.model), principal_point(source.model)};
-  const std::vector<Correspondence> samples = sample(source.model, *domain);
+  const std::vector<Correspondence> samples = sample(source.model, *field_of_view);
   return internal::fit_model(info.id, samples, centre, {}).value().model;
 }
 
 std::vector<Correspondence> points_of(const CameraModel& model) {
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(test::make_camera(model, {752, 480}), {}, diagnostics);
-  return sample(model, *domain, kPoints);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(test::make_camera(model, {752, 480}), {}, diagnostics);
+  return sample(model, *field_of_view, kPoints);
 }
 
 void projection(benchmark::State& state, const CameraModel& model) {
@@ -51,11 +51,11 @@ void unprojection(benchmark::State& state, const CameraModel& model) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }
 
-/// The same as the judge does it.
+/// The same as evaluate() does it.
 void batches(benchmark::State& state, const CameraModel& model, bool rays) {
   const std::vector<Correspondence> points = points_of(model);
   internal::Batch batch;
-  double reach = 0.0;
+  double max_angle_rad = 0.0;
   for (std::size_t i = 0; i < internal::Batch::kSize; ++i) {
     const Correspondence& point = points[i * points.size() / internal::Batch::kSize];
     batch.u[i] = point.pixel[0];
@@ -63,10 +63,10 @@ void batches(benchmark::State& state, const CameraModel& model, bool rays) {
     batch.x[i] = point.ray[0];
     batch.y[i] = point.ray[1];
     batch.z[i] = point.ray[2];
-    reach = std::max(reach, angle_from_axis(point.ray));
+    max_angle_rad = std::max(max_angle_rad, angle_from_axis(point.ray));
   }
-  const internal::BatchRays to_rays(model, reach);
-  const internal::BatchErrors to_errors(model, reach);
+  const internal::BatchRays to_rays(model, max_angle_rad);
+  const internal::BatchErrors to_errors(model, max_angle_rad);
   for (auto _ : state) {
     if (rays) {
       to_rays(batch, internal::Batch::kSize);

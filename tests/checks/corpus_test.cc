@@ -14,13 +14,13 @@ namespace fca::test {
 namespace {
 
 /// Files that deserve an error, each looked at by hand.
-struct Judged {
+struct Evaluated {
   std::string_view part;  ///< Of the name.
   std::string_view code;
   std::string_view why;
 };
 
-constexpr Judged kJudged[] = {
+constexpr Evaluated kEvaluated[] = {
     {"kalibr_dynamic-imu.yaml", "program-refuses", "Kalibr's result: imu0 around the keys it wants at the top"},
     {"working_directory__imu-camera_imu.yaml", "program-refuses", "the same"},
     {"results_yaml__imu-kalibr_raw", "program-refuses", "the same"},
@@ -77,10 +77,10 @@ constexpr NotForIt kNotForIt[] = {
     {"extrinsics", "the poses of a stereo pair, without cameras"},
 };
 
-const Judged* judged(const std::string& file) {
+const Evaluated* evaluated(const std::string& file) {
   const auto* const found =
-      std::ranges::find_if(kJudged, [&file](const Judged& row) { return file.find(row.part) != std::string::npos; });
-  return found == std::end(kJudged) ? nullptr : found;
+      std::ranges::find_if(kEvaluated, [&file](const Evaluated& row) { return file.find(row.part) != std::string::npos; });
+  return found == std::end(kEvaluated) ? nullptr : found;
 }
 
 std::vector<fs::path> corpus_files() {
@@ -93,7 +93,7 @@ std::vector<fs::path> corpus_files() {
 }
 
 /// Findings about files that are as their author means them, each looked at by hand.
-constexpr Judged kFalseAlarms[] = {
+constexpr Evaluated kFalseAlarms[] = {
     {"synth_Scenario", "focal-lengths-differ", "rendered with such pixels: they are the truth"},
     {"xinli_stereo", "focal-lengths-differ", "images of 4:3 squeezed to 16:9: all cameras have the same ratio"},
     {"x1000_12.yaml", "focal-lengths-differ", "the same"},
@@ -103,13 +103,13 @@ constexpr Judged kFalseAlarms[] = {
 
 int false_alarms_in(const std::string& file, const std::string& code) {
   return std::ranges::any_of(kFalseAlarms,
-                             [&](const Judged& row) { return row.code == code && file.find(row.part) != std::string::npos; })
+                             [&](const Evaluated& row) { return row.code == code && file.find(row.part) != std::string::npos; })
              ? 1
              : 0;
 }
 
 // Prints the table of findings by code.
-TEST(CheckCorpus, ErrorsAreThoseJudgedByHand) {
+TEST(CheckCorpus, ErrorsAreThoseComputedByHand) {
   if (!has_corpus()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
   std::map<std::string, int> counted;
   std::map<std::string, Sighting> seen;
@@ -120,7 +120,7 @@ TEST(CheckCorpus, ErrorsAreThoseJudgedByHand) {
     const CheckReport report = checked(source);
     if (!report.is_calibration) continue;
     ++calibrations;
-    const Judged* expected = judged(source.name);
+    const Evaluated* expected = evaluated(source.name);
     bool expected_said = false;
     std::set<std::string> codes;
     for (const Finding& finding : report.findings) {

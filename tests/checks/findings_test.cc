@@ -69,7 +69,7 @@ TEST(CheckCodes, AreThoseThatTheFilesShow) {
   }
 }
 
-// What is wrong, what happens, how to mend it: a finding is no use without all three.
+// What is wrong, what happens, how to fix it: a finding is no use without all three.
 TEST(CheckFindings, SayWhatHappensAndWhatToDo) {
   std::vector<fs::path> files = check_files();
   const std::vector<fs::path> bad = files_of_all_formats("bad");
@@ -91,7 +91,7 @@ TEST(CheckFindings, ACleanFileSaysWhatWasCheckedAndWhatCouldNotBe) {
   source.bytes = with_replaced(with_replaced(source.bytes, "image_width: 752\n", ""), "image_height: 480\n", "");
   const CheckReport without_size = checked(source);
   ASSERT_EQ(without_size.undecided.size(), 1U);
-  EXPECT_EQ(without_size.undecided.front().facts.code, Code::kImageNotJudged);
+  EXPECT_EQ(without_size.undecided.front().facts.code, Code::kImageNotEvaluated);
   CheckOptions options;
   options.reading.image_size = ImageSize{752, 480};
   EXPECT_TRUE(checked(source, options).undecided.empty());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One layout for PyYAML and OpenCV's reader: mended for the other program a chain loads there, and says what it said.
+// One layout for PyYAML and OpenCV's reader: fixed for the other program a chain loads there, and says what it said.
 #include "check_files.h"
 #include "id_and_arguments.h"
 
@@ -21,7 +21,7 @@ std::vector<fs::path> chains() {
   return files;
 }
 
-/// Without blanks, quotes and the first lines: what a mend of the layout may not change.
+/// Without blanks, quotes and the first lines: what a fix of the layout may not change.
 std::string letters(std::string_view bytes) {
   std::string result;
   for (const char c : bytes) {
@@ -38,47 +38,47 @@ bool is_of_opencv(const std::string& bytes) { return bytes.starts_with("%YAML:")
 // What OpenVINS could use of Kalibr's own files it can read afterwards: two coefficients of its lenses, a pose per camera.
 TEST(Layout, KalibrsFilesForOpenVins) {
   const consumers::Consumer* openvins = consumers::find_consumer("openvins");
-  int mended_files = 0;
+  int fixed_files = 0;
   for (const fs::path& path : chains()) {
     const text::Source source{path.filename().string(), read_file(path)};
     const std::optional<Rig> before = rig_of(source, find_format("kalibr"));
     if (!before || before->cameras.empty() || is_of_opencv(source.bytes)) continue;
     CheckOptions options;
     options.program = openvins;
-    const std::optional<text::Source> after = mended(source, options);
+    const std::optional<text::Source> after = fixed_source(source, options);
     if (!after) continue;
     EXPECT_EQ(rig_of(*after, find_format("kalibr")), before) << source.name;
     const consumers::ConsumerView view = openvins->load(after->bytes, {});
     for (const consumers::Complaint& refusal : view.refusals) {
-      // No mend can give a camera a pose, or four coefficients to a lens without.
+      // No fix can give a camera a pose, or four coefficients to a lens without.
       const bool of_the_rig = refusal.facts.code == Code::kOpenVinsSaysPoseMissing ||
                               is_said_of(refusal.facts, Code::kOpenVinsSaysTooFewNumbers, {4});
       EXPECT_TRUE(of_the_rig) << source.name << ": " << sentence_of(refusal);
     }
-    mended_files += view.loads() ? 1 : 0;
+    fixed_files += view.loads() ? 1 : 0;
   }
-  std::printf("%d chains loaded by OpenVINS after the mend\n", mended_files);
-  EXPECT_GE(mended_files, has_corpus() ? 30 : 1);
+  std::printf("%d chains loaded by OpenVINS after the fix\n", fixed_files);
+  EXPECT_GE(fixed_files, has_corpus() ? 30 : 1);
 }
 
 TEST(Layout, OpenVinsChainsForKalibr) {
   const consumers::Consumer* kalibr = consumers::find_consumer("kalibr");
-  int mended_files = 0;
+  int fixed_files = 0;
   for (const fs::path& path : chains()) {
     const text::Source source{path.filename().string(), read_file(path)};
     const std::optional<Rig> before = rig_of(source, find_format("kalibr"));
     if (!before || before->cameras.empty() || !is_of_opencv(source.bytes)) continue;
     CheckOptions options;
     options.from = find_format("kalibr");
-    const std::optional<text::Source> after = mended(source, options);
+    const std::optional<text::Source> after = fixed_source(source, options);
     ASSERT_TRUE(after) << source.name;
     EXPECT_EQ(rig_of(*after, find_format("kalibr")), before) << source.name;
     const consumers::ConsumerView view = kalibr->load(after->bytes, {});
     EXPECT_TRUE(view.loads()) << source.name << ": " << sentence_of(view.refusals.front());
-    ++mended_files;
+    ++fixed_files;
   }
   if (!has_corpus()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
-  EXPECT_GE(mended_files, 10);
+  EXPECT_GE(fixed_files, 10);
 }
 
 constexpr std::string_view kChain =
@@ -96,7 +96,7 @@ TEST(Layout, ACommentMakesAFisheyeRadialTangential) {
       std::string bytes = mark;
       for (const char c : kChain) bytes += c == '\n' ? line_break : std::string(1, c);
       const text::Source source{"camchain.yaml", bytes};
-      const std::optional<text::Source> after = mended(source, options);
+      const std::optional<text::Source> after = fixed_source(source, options);
       ASSERT_TRUE(after);
       EXPECT_NE(after->bytes.find("distortion_model: \"equidistant\" # a fisheye"), std::string::npos) << after->bytes;
       EXPECT_EQ(letters(after->bytes), letters(bytes.substr(mark.size())));
@@ -107,15 +107,16 @@ TEST(Layout, ACommentMakesAFisheyeRadialTangential) {
   }
 }
 
-// A mend is one only if the program's complaint is gone, not if it names another line.
-TEST(Layout, WhatNoLayoutMendsIsLeftAlone) {
+// A fix is one only if the program's complaint is gone, not if it names another line.
+TEST(Layout, WhatNoLayoutFixesIsLeftAlone) {
   CheckOptions options;
   options.program = consumers::find_consumer("kalibr");
   // A TAB within a word may be meant.
-  EXPECT_FALSE(mended({"camchain.yaml", with_replaced(std::string(kChain), "rostopic: /cam0", "rostopic: /cam\t0")}, options));
+  EXPECT_FALSE(
+      fixed_source({"camchain.yaml", with_replaced(std::string(kChain), "rostopic: /cam0", "rostopic: /cam\t0")}, options));
   // A header in the midst: which half is the file?
   options.program = consumers::find_consumer("openvins");
-  EXPECT_FALSE(mended({"camchain.yaml", "more: 1\n%YAML:1.0\n" + std::string(kChain)}, options));
+  EXPECT_FALSE(fixed_source({"camchain.yaml", "more: 1\n%YAML:1.0\n" + std::string(kChain)}, options));
 }
 
 // Nothing but comments before: the header goes to the top, and the comments stay.
@@ -127,7 +128,7 @@ TEST(Layout, AHeaderBehindCommentsIsMoved) {
       std::string bytes = mark;
       for (const char c : "# mine\n\n%YAML:1.0\n" + std::string(kChain)) bytes += c == '\n' ? line_break : std::string(1, c);
       const text::Source source{"camchain.yaml", bytes};
-      const std::optional<text::Source> after = mended(source, options);
+      const std::optional<text::Source> after = fixed_source(source, options);
       ASSERT_TRUE(after);
       EXPECT_TRUE(after->bytes.starts_with("%YAML:1.0" + line_break + "# mine" + line_break)) << after->bytes;
       EXPECT_EQ(after->bytes.find("%YAML", 1), std::string::npos);
@@ -145,7 +146,7 @@ TEST(Layout, AByteOrderMarkIsTakenAway) {
     const CheckReport report = checked(source);
     ASSERT_TRUE(report.has(Severity::kError)) << name;
     EXPECT_EQ(line_of(report.findings.front(), source), "1:1 error byte-order-mark");
-    const std::optional<text::Source> after = mended(source, {});
+    const std::optional<text::Source> after = fixed_source(source, {});
     ASSERT_TRUE(after) << name;
     EXPECT_EQ(after->bytes, bytes);
   }

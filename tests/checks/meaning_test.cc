@@ -33,7 +33,7 @@ const std::string kRectified =
 TEST(Fixes, HideNoNumberThatIsOnlyIgnored) {
   const CheckReport report = checked_as("rectified.yaml", kRectified);
   ASSERT_FALSE(report.findings.empty());
-  for (const Finding& finding : report.findings) EXPECT_FALSE(finding.mend) << message_of(finding);
+  for (const Finding& finding : report.findings) EXPECT_FALSE(finding.edit) << message_of(finding);
 }
 
 /// A matrix of cv::FileStorage.
@@ -97,10 +97,10 @@ TEST(FlatPose, GetsItsRows) {
   const text::Source source = {"chain.yaml",
                                radtan_camera("458.654, 457.296, 367.215, 248.375", "-0.283, 0.0739, 0.0, 0.0") + kFlat};
   const CheckReport report = checked(source);
-  const auto flat = std::ranges::find_if(report.findings, [](const Finding& finding) { return finding.mend.has_value(); });
+  const auto flat = std::ranges::find_if(report.findings, [](const Finding& finding) { return finding.edit.has_value(); });
   ASSERT_NE(flat, report.findings.end());
   std::string bytes = source.bytes;
-  bytes.replace(flat->mend->span.offset, flat->mend->span.length, flat->mend->text);
+  bytes.replace(flat->edit->span.offset, flat->edit->span.length, flat->edit->text);
   EXPECT_TRUE(checked(text::Source{"chain.yaml", bytes}).findings.empty());
   EXPECT_EQ(*rig_of({"chain.yaml", bytes}), *rig_of(source));
   std::erase_if(bytes, [](char c) { return c == '[' || c == ']'; });

@@ -123,8 +123,8 @@ std::optional<std::string> unquoted_for_openvins(const Good& good) {
   if (good.calibration.format->id != "kalibr" || good.calibration.rig.cameras.empty()) return std::nullopt;
   CheckOptions options;
   options.program = consumers::find_consumer("openvins");
-  const std::optional<text::Source> mended = fca::mended(document_of(good).source(), options);
-  const std::string bytes = mended ? mended->bytes : bytes_of(good);
+  const std::optional<text::Source> fixed = fca::fixed_source(document_of(good).source(), options);
+  const std::string bytes = fixed ? fixed->bytes : bytes_of(good);
   if (checked({good.name, bytes}, options).has(Severity::kError)) return std::nullopt;
   const std::regex quoted("(distortion_model: *)\"?(\\w+)\"?.*$", std::regex::multiline);
   std::string without = std::regex_replace(bytes, quoted, "$1$2  # the lens", std::regex_constants::format_first_only);

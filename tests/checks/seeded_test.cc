@@ -28,7 +28,7 @@ std::vector<const Good*> in_mixed_order(const std::vector<Good>& files) {
   return result;
 }
 
-/// What checks made of a defect that was planted in one file after the other.
+/// What checks found of a defect that was planted in one file after the other.
 struct Tally {
   int planted = 0;
   int found = 0;

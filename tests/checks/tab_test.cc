@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// TABs where YAML wants blanks: mended the file says what it said before somebody's editor put them in.
+// TABs where YAML wants blanks: fixed the file says what it said before somebody's editor put them in.
 #include "check_files.h"
 
 #include <cstdio>
@@ -46,7 +46,7 @@ TEST(Tabs, AreBlanksAgain) {
   const std::vector<fs::path> settings = files_in(testdata_dir() / "orbslam3" / "good");
   files.insert(files.end(), settings.begin(), settings.end());
   int planted = 0;
-  int mended_files = 0;
+  int fixed_files = 0;
   for (const fs::path& path : files) {
     const text::Source good{path.filename().string(), read_file(path)};
     if (checked(good).has(Severity::kError) || good.bytes.find('\t') != std::string::npos) continue;
@@ -54,19 +54,19 @@ TEST(Tabs, AreBlanksAgain) {
       const text::Source wrong{good.name, plant(good.bytes)};
       if (wrong.bytes == good.bytes || !checked(wrong).has(Severity::kError)) continue;
       ++planted;
-      const std::optional<text::Source> after = mended(wrong, {});
+      const std::optional<text::Source> after = fixed_source(wrong, {});
       if (!after) {
-        std::printf("not mended: %s\n", good.name.c_str());
+        std::printf("not fixed: %s\n", good.name.c_str());
         continue;
       }
-      ++mended_files;
+      ++fixed_files;
       EXPECT_EQ(after->bytes.find('\t'), std::string::npos) << good.name;
       EXPECT_FALSE(checked(*after).has(Severity::kError)) << good.name << "\n" << after->bytes;
       EXPECT_EQ(rig_of(*after), rig_of(good)) << good.name;
     }
   }
-  std::printf("%d of %d files with TABs mended\n", mended_files, planted);
-  EXPECT_GE(mended_files, 0.9 * planted);
+  std::printf("%d of %d files with TABs fixed\n", fixed_files, planted);
+  EXPECT_GE(fixed_files, 0.9 * planted);
   EXPECT_GE(planted, 20);
 }
 
@@ -75,7 +75,7 @@ TEST(Tabs, AreLeftWhereTheDepthIsNotCertain) {
   const std::string nested =
       "cam0:\n  camera_model: pinhole\n  distortion_model: none\n  distortion_coeffs: []\n"
       "  intrinsics: [200.0, 200.0, 320.0, 240.0]\n  more:\n    deep: 1\n\trostopic: /cam0\n  resolution: [640, 480]\n";
-  EXPECT_FALSE(mended({"camchain.yaml", nested}, {}));
+  EXPECT_FALSE(fixed_source({"camchain.yaml", nested}, {}));
 }
 
 // In quotes and comments they are text.
@@ -83,7 +83,7 @@ TEST(Tabs, OfTextsStay) {
   const std::string chain =
       "cam0:\n  camera_model: pinhole\n  distortion_model: radtan\t# a\tcomment\n  distortion_coeffs: [0.1,\t0.0, 0.0, 0.0]\n"
       "  intrinsics: [200.0, 200.0, 320.0, 240.0]\n  resolution: [640, 480]\n  rostopic: \"/a\tb\"\n";
-  const std::optional<text::Source> after = mended({"camchain.yaml", chain}, {});
+  const std::optional<text::Source> after = fixed_source({"camchain.yaml", chain}, {});
   ASSERT_TRUE(after);
   EXPECT_EQ(after->bytes, with_replaced(with_replaced(chain, "radtan\t#", "radtan #"), ",\t0.0", ", 0.0"));
 }

@@ -137,9 +137,9 @@ TEST(Contradictions, AConversionSaysWhichStatementTheFilesHave) {
     VerdictWord word;
   };
   for (const Expected& each : {
-           Expected{"poses-contradict.yaml", "openvins", Code::kPoseWrittenAsStated, VerdictWord::kDoNotUse},
+           Expected{"poses-contradict.yaml", "openvins", Code::kPoseWrittenAsGiven, VerdictWord::kDoNotUse},
            Expected{"poses-contradict.yaml", "kalibr", Code::kPosesWrittenBoth, VerdictWord::kDoNotUse},
-           Expected{"poses-contradict.yaml", "orbslam3", Code::kPoseWrittenAsStated, VerdictWord::kDoNotUse},
+           Expected{"poses-contradict.yaml", "orbslam3", Code::kPoseWrittenAsGiven, VerdictWord::kDoNotUse},
            Expected{"pose-inverted-of-three.yaml", "openvins", Code::kPoseWrittenAsDerived, VerdictWord::kUseWithCare},
            Expected{"pose-inverted-of-three.yaml", "kalibr", Code::kPosesWrittenBoth, VerdictWord::kDoNotUse},
        }) {

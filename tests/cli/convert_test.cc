@@ -156,7 +156,7 @@ TEST(Convert, TheObjectiveMaxCutsTheWorstPixelAndSaysWhatItCosts) {
   EXPECT_GT(after["parameters"]["alpha"].GetDouble(), 0.5) << "what the program demands holds all the same";
 }
 
-// FORMATS.md 3.4: at alpha <= 0.5 both forks reject every point. A source that has it is fitted anew with alpha above.
+// FORMATS.md 3.4: at alpha <= 0.5 both forks reject every point. A source that has it is fitted again with alpha above.
 TEST(Convert, AnEucmWithSmallAlphaIsNotPassedThrough) {
   const TemporaryFolder folder;
   const std::string path = folder.write(
@@ -387,7 +387,7 @@ TEST(Convert, TheUnitOfOpenCvsPoseIsAnAssumption) {
   }
 }
 
-TEST(Convert, MaxAngleIsTheDomain) {
+TEST(Convert, MaxAngleIsTheFieldOfView) {
   const Json whole =
       json_of(run_program({"convert", kTumvi, "--camera", "0", "--to", "orbslam3", "--model", "eucm", "--json"}));
   const Json lens = json_of(run_program(
@@ -398,10 +398,10 @@ TEST(Convert, MaxAngleIsTheDomain) {
   EXPECT_GT(all["domain"]["max_angle_deg"].GetDouble(), 97.5);
   EXPECT_GT(cut["domain"]["outside_lens_share"].GetDouble(), 0.01);
   EXPECT_LT(cut["error_px"]["rms"].GetDouble(), all["error_px"]["rms"].GetDouble());
-  EXPECT_EQ(cut["domain"]["why"].GetString(), text::text_of({Code::kDomainGiven}, cli::with_options));
+  EXPECT_EQ(cut["domain"]["why"].GetString(), text::text_of({Code::kFieldOfViewGiven}, cli::with_options));
 }
 
-TEST(Convert, TheConeOfATargetThatReachesLessIsSaid) {
+TEST(Convert, TheAngleOfATargetThatReachesLessIsReported) {
   const std::vector<std::string> command = {"convert", kTumvi, "--camera", "0", "--to", "opencv", "--model", "radtan"};
   std::vector<std::string> with_json = command;
   with_json.emplace_back("--json");
@@ -455,11 +455,12 @@ TEST(Convert, JsonHasTheContractsKeysAndTypes) {
     EXPECT_TRUE(camera["exact"].IsBool());
     expect_numbers(camera["parameters"], {"fx", "fy", "cx", "cy", "alpha", "beta"});
     EXPECT_TRUE(camera["at_bound"].IsArray());
-    const Value& domain = camera["domain"];
-    expect_numbers(domain, {"max_angle_deg", "scored_to_deg", "scored_share", "outside_lens_share", "unrepresentable_share"});
-    EXPECT_TRUE(domain["why"].IsString());
-    EXPECT_NEAR(domain["scored_share"].GetDouble() + domain["outside_lens_share"].GetDouble() +
-                    domain["unrepresentable_share"].GetDouble(),
+    const Value& field_of_view = camera["domain"];
+    expect_numbers(field_of_view,
+                   {"max_angle_deg", "scored_to_deg", "scored_share", "outside_lens_share", "unrepresentable_share"});
+    EXPECT_TRUE(field_of_view["why"].IsString());
+    EXPECT_NEAR(field_of_view["scored_share"].GetDouble() + field_of_view["outside_lens_share"].GetDouble() +
+                    field_of_view["unrepresentable_share"].GetDouble(),
                 1.0, 1e-9);
     const Value& error = camera["error_px"];
     expect_numbers(error, {"rms", "mean", "p50", "p95", "p99", "max"});
@@ -480,7 +481,7 @@ TEST(Convert, JsonHasTheContractsKeysAndTypes) {
       square_sum += band["share"].GetDouble() * std::pow(band["rms_px"].GetDouble(), 2);
       EXPECT_LE(band["max_px"].GetDouble(), error["max"].GetDouble() * (1.0 + 1e-9));
     }
-    EXPECT_NEAR(share, domain["scored_share"].GetDouble(), 1e-9) << "the bands are the scored part";
+    EXPECT_NEAR(share, field_of_view["scored_share"].GetDouble(), 1e-9) << "the bands are the scored part";
     EXPECT_NEAR(std::sqrt(square_sum / share), error["rms"].GetDouble(), 1e-9 + 1e-6 * error["rms"].GetDouble());
     expect_numbers(camera["fit"], {"samples", "iterations", "time_us"});
   }
@@ -523,9 +524,9 @@ TEST(Convert, JsonWithoutAnOutputHoldsTheFile) {
 
 TEST(Convert, JsonOfFailuresSaysSo) {
   const TemporaryFolder folder;
-  const RunResult judged = run_program({"convert", kTumvi, "--with", kImu, "--to", "kalibr", "--strict", "--json"});
-  EXPECT_EQ(judged.code, 1);
-  const Json strict = json_of(judged);
+  const RunResult evaluated = run_program({"convert", kTumvi, "--with", kImu, "--to", "kalibr", "--strict", "--json"});
+  EXPECT_EQ(evaluated.code, 1);
+  const Json strict = json_of(evaluated);
   EXPECT_EQ(strict["exit_code"].GetInt(), 1);
   EXPECT_EQ(strict["outputs"].Size(), 0U);
   EXPECT_EQ(strict["refused_outputs"].Size(), 1U);
@@ -552,7 +553,7 @@ TEST(Convert, MeiOfAParabolaMirrorIsProven) {
   }
 }
 
-TEST(Convert, MaxErrorJudgesTheLargestErrorOfTheReport) {
+TEST(Convert, MaxErrorLimitsTheLargestErrorOfTheReport) {
   const Json json = json_of(run_program({"convert", kDs, "--to", "orbslam3", "--sensor", "mono", "--json"}));
   double worst = 0.0;
   for (const Value& camera : json["cameras"].GetArray()) worst = std::max(worst, camera["error_px"]["max"].GetDouble());
@@ -590,21 +591,22 @@ TEST(Convert, MaxErrorKnowsNoSmallPartAndNoRounding) {
   const std::string wide = folder.write("wide.yaml", kWide);
   const RunResult ds = run_program({"convert", wide, "--to", "kalibr", "--model", "ds", "--max-error", "1000", "--json"});
   const Json json = json_of(ds);
-  const Value& domain = json["cameras"][0]["domain"];
-  ASSERT_GT(domain["unrepresentable_share"].GetDouble(), 0.0) << "another lens is wanted";
-  EXPECT_LT(domain["unrepresentable_share"].GetDouble(), 1e-3) << "another lens is wanted";
+  const Value& field_of_view = json["cameras"][0]["domain"];
+  ASSERT_GT(field_of_view["unrepresentable_share"].GetDouble(), 0.0) << "another lens is wanted";
+  EXPECT_LT(field_of_view["unrepresentable_share"].GetDouble(), 1e-3) << "another lens is wanted";
   EXPECT_EQ(ds.code, 1) << ds.err;
   EXPECT_EQ(run_program({"convert", kTumvi, "--to", "kalibr", "--max-error", "0"}).code, 0);
 }
 
 // The lens ends behind the angle that was given, beside what a coarse look at the image sees.
-TEST(Convert, TheDomainEndsForTheReasonGiven) {
+TEST(Convert, TheFieldOfViewEndsForTheReasonGiven) {
   const TemporaryFolder folder;
   const std::string wide = folder.write("wide.yaml", kWide);
   for (const char* angle : {"100", "105"}) {
     const Json json =
         json_of(run_program({"convert", wide, "--to", "kalibr", "--model", "kb4", "--max-angle", angle, "--json"}));
-    EXPECT_EQ(json["cameras"][0]["domain"]["why"].GetString(), text::text_of({Code::kDomainGiven}, cli::with_options)) << angle;
+    EXPECT_EQ(json["cameras"][0]["domain"]["why"].GetString(), text::text_of({Code::kFieldOfViewGiven}, cli::with_options))
+        << angle;
   }
 }
 
@@ -639,7 +641,7 @@ TEST(Convert, TheAdviceForALensOutOfReachNamesWhatTheProgramReads) {
   EXPECT_EQ(models["kb4"].code, Code::kModelExact);
   for (const auto& [model, code] : {std::pair{"mei", Code::kModelRms}, {"rational", Code::kModelRmsUpTo}}) {
     ASSERT_EQ(models[model].code, code) << model;
-    const double rms = converted("opencv", model).cameras.at(0).report->judgement.error.rms;
+    const double rms = converted("opencv", model).cameras.at(0).report->statistics.error.rms;
     EXPECT_NEAR(argument<double>(models[model], 1), rms, 0.01 * rms) << model;
   }
   // ORB-SLAM3 reads neither.

@@ -299,7 +299,7 @@ struct PaperRow {
   Printed parameter_error;
 };
 
-// Copied from the paper once more, in its order: a slip in the program's table would have to happen twice.
+// Copied from the paper once more, in its order: a mistake in the program's table would have to happen twice.
 const std::vector<PaperRow> kTables1And2 = {
     {"EUCM-DS", 2, {"7.75e-06"}, {"4.0964"}}, {"EUCM-KB", 1, {"6.87e-10"}, {"1.0779"}},
     {"EUCM-RT", 5, {"4.63e-05"}, {"2.5740"}}, {"KB-EUCM", 1, {"0.02354"}, {"0.5961"}},
@@ -538,7 +538,7 @@ std::array<double, 3> polynomial_as_the_paper_fits(const Parameters& ucm, double
 
 const std::array<Printed, 3> kPapersPolynomial = {{{"130.809"}, {"0.01238"}, {"0.00186"}}};
 
-// The paper prints alpha with four digits, and its polynomial is what the wrong sign makes of some alpha that rounds to them.
+// The paper prints alpha with four digits, and its polynomial follows from some alpha with the wrong sign that rounds to them.
 TEST_F(Evaluate, TheWrongSignGivesThePapersPolynomial) {
   const Size size = size_in(polynomials());
   Parameters ucm = camera_in(polynomials()["source"]).p;
@@ -611,7 +611,7 @@ TEST_F(Evaluate, OurPolynomialIsTheBestOne) {
   EXPECT_NEAR(a2, -0.0018, 0.0001);
 }
 
-TEST_F(Evaluate, PolynomialsOfTheProgramAreJudgedOnEveryPixel) {
+TEST_F(Evaluate, PolynomialsOfTheProgramAreEvaluatedOnEveryPixel) {
   const Size size = size_in(polynomials());
   const PrintedCamera source = camera_in(polynomials()["source"]);
   int fitted = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CLI.md: 0 good, 1 done but judged bad, 2 bad input, 3 usage, 4 input/output. Every failure says why on stderr.
+// CLI.md: 0 good, 1 done but rejected, 2 bad input, 3 usage, 4 input/output. Every failure says why on stderr.
 #include "cli/spawn_program.h"
 #include "cli/told.h"
 

@@ -145,8 +145,9 @@ TEST(ImageChange, WhatAnEditCannotKnowIsWarnedOf) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(says(run.err, "stale-derived")) << run.err;
   EXPECT_FALSE(contains(run_program({"convert", stereo, "--size", "640x480", "--to", "opencv"}).err, "stale-"));
-  const RunResult anew = run_program({"convert", stereo, "--size", "640x480", "--to", "opencv", "--binning", "2", "--rewrite"});
-  EXPECT_FALSE(contains(anew.err, "stale-")) << anew.err;
+  const RunResult rewritten =
+      run_program({"convert", stereo, "--size", "640x480", "--to", "opencv", "--binning", "2", "--rewrite"});
+  EXPECT_FALSE(contains(rewritten.err, "stale-")) << rewritten.err;
 }
 
 TEST(ImageChange, WhatMakesNoImageIsRefused) {

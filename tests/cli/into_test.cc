@@ -120,7 +120,7 @@ TEST(Into, OnlyTheCamerasNumbersChange) {
   for (const std::string& line : changed) EXPECT_TRUE(line.starts_with("Camera1.")) << line;
 }
 
-// Neither derived anew nor made to agree: what the input does not state is the base's.
+// Neither derived again nor made to agree: what the input does not state is the base's.
 TEST(Into, PosesThatTheInputDoesNotStateKeepTheirBytes) {
   const TemporaryFolder folder;
   const std::string input = folder.write("ds.yaml", kBareDs);
@@ -198,7 +198,7 @@ TEST(Into, AFileOfAnotherProgramKeepsItsLayout) {
   EXPECT_LE(element_difference(after.resolve("cam0", "imu0").value(), input.resolve("cam0", "imu0").value()), 1e-12);
 }
 
-TEST(Into, WhatIsComposedAnewListsWhatGoes) {
+TEST(Into, WhatIsRewrittenListsWhatGoes) {
   const TemporaryFolder folder;
   const std::string base = folder.write("base.yaml", read_file(testdata("formats/kalibr/good/opencv-header.yaml")) +
                                                          "\n  cam_overlaps: []\n  line_delay: 0.001\n");
@@ -478,7 +478,7 @@ TEST(Into, ACameraBesideOneThatStaysTakesItsModel) {
 }
 
 // A base that its own program would refuse for the spelling of a number is of no use with other cameras in it, either.
-TEST(Into, WhatTheProgramRefusesOfTheKeptTextIsMendedAndSaid) {
+TEST(Into, WhatTheProgramRefusesOfTheKeptTextIsFixedAndReported) {
   const TemporaryFolder folder;
   std::string settings = read_file(kSettings);
   settings = with_replaced(settings, "Camera.fps: 20", "Camera.fps: 20.0");
@@ -566,7 +566,7 @@ TEST(Into, ColumnsThatTheBaseLacksComeWithThePair) {
   EXPECT_EQ(run_program({"convert", base, "--into", base, "--no-verify"}).out, settings);
 }
 
-// stereo_euroc rectifies by LEFT.* and RIGHT.*, which nobody but who rectified can compute anew.
+// stereo_euroc rectifies by LEFT.* and RIGHT.*, which nobody but who rectified can compute again.
 TEST(Into, WhatWasComputedFromTheBasesCamerasIsListed) {
   const TemporaryFolder folder;
   const std::string settings = read_file(testdata("formats/orbslam3/good/orbslam2-tight.yaml"));

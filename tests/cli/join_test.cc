@@ -34,7 +34,7 @@ std::vector<std::string> overlaps_in(const std::string& chain) {
   }
 }
 
-TEST(JoinedChains, CountTheirOverlapsAnew) {
+TEST(JoinedChains, CountTheirOverlapsAgain) {
   const TemporaryFolder folder;
   const std::string pair = folder.write("pair.yaml", pair_with("[1]", "[0]"));
   const std::string other = folder.write("other.yaml", with_replaced(pair_with("[1]", "[0]"), "190.97", "191.97"));

@@ -10,7 +10,7 @@ namespace {
 const std::string kCarla = testdata("formats/woodscape/bad/carla.json");
 const std::string kExtrinsics = testdata("formats/opencv/good/extrinsics.yml");
 
-// SynWoodScape's JSONs have a rotation and no translation that projection.py reads: to compose the file anew would be to make
+// SynWoodScape's JSONs have a rotation and no translation that projection.py reads: to rewrite the file would be to make
 // up a pose.
 TEST(KeptBytes, SynWoodScapesRotationOutlivesAnEdit) {
   const std::string before = read_file(kCarla);

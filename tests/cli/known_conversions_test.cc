@@ -33,7 +33,7 @@ TEST(KnownConversions, AreWhatWouldBeMade) {
         const std::optional<Conversion> conversion = known.convert(camera, options, remembered);
         ASSERT_TRUE(expected && conversion);
         EXPECT_EQ(conversion->camera, expected->camera);
-        EXPECT_EQ(conversion->report.judgement.error.max, expected->report.judgement.error.max);
+        EXPECT_EQ(conversion->report.statistics.error.max, expected->report.statistics.error.max);
         EXPECT_EQ(facts_in(remembered), facts_in(made));
       }
     }

@@ -43,8 +43,8 @@ rapidjson::Document json_of(const std::vector<std::string>& words) {
   return json;
 }
 
-/// Why the domain of the chain's only camera ends where it does.
-Code why_of_domain(const std::string& chain, const std::string& seen) {
+/// Why the field of view of the chain's only camera ends where it does.
+Code why_of_field_of_view(const std::string& chain, const std::string& seen) {
   ConvertRequest request;
   request.inputs.files = {chain};
   request.inputs.lens_circles = {{"", seen}};
@@ -59,7 +59,7 @@ Code why_of_domain(const std::string& chain, const std::string& seen) {
   const bool fitted = result.cameras.size() == 1 && result.cameras.front().report;
   EXPECT_TRUE(fitted) << (result.diagnostics.entries().empty() ? std::string()
                                                                : message_of(result.diagnostics.entries().front()));
-  return fitted ? result.cameras.front().report->judgement.coverage.why.code : Code::kNone;
+  return fitted ? result.cameras.front().report->statistics.coverage.why.code : Code::kNone;
 }
 
 /// The diagnostics of that file in a run with --json.
@@ -69,7 +69,7 @@ std::size_t diagnostics_of(const Told& run, const std::string& file) {
   }));
 }
 
-TEST(LensCircleOption, IsTheDomain) {
+TEST(LensCircleOption, IsTheFieldOfView) {
   const TemporaryFolder folder;
   const std::string chain = folder.write("chain.yaml", kChain);
   for (const double radius : {240.0, 290.0}) {
@@ -78,19 +78,20 @@ TEST(LensCircleOption, IsTheDomain) {
     const auto json =
         json_of({"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", seen, "--every-pixel", "--json"});
     const auto& camera = json["cameras"][0];
-    const auto& domain = camera["domain"];
-    EXPECT_NEAR(domain["lens_circle"]["centre"][0].GetDouble(), 255.5, 0.5);
-    EXPECT_NEAR(domain["lens_circle"]["centre"][1].GetDouble(), 255.5, 0.5);
-    EXPECT_NEAR(domain["lens_circle"]["radius_px"].GetDouble(), radius, 1.0);
+    const auto& field_of_view = camera["domain"];
+    EXPECT_NEAR(field_of_view["lens_circle"]["centre"][0].GetDouble(), 255.5, 0.5);
+    EXPECT_NEAR(field_of_view["lens_circle"]["centre"][1].GetDouble(), 255.5, 0.5);
+    EXPECT_NEAR(field_of_view["lens_circle"]["radius_px"].GetDouble(), radius, 1.0);
     // A pixel of radius is 2 pi r pixels of area.
-    EXPECT_NEAR(domain["outside_lens_share"].GetDouble(), Lit{.radius = radius}.share_beyond(), 6.3 * radius / (512.0 * 512.0));
-    EXPECT_NEAR(domain["scored_share"].GetDouble() + domain["outside_lens_share"].GetDouble() +
-                    domain["unrepresentable_share"].GetDouble(),
+    EXPECT_NEAR(field_of_view["outside_lens_share"].GetDouble(), Lit{.radius = radius}.share_beyond(),
+                6.3 * radius / (512.0 * 512.0));
+    EXPECT_NEAR(field_of_view["scored_share"].GetDouble() + field_of_view["outside_lens_share"].GetDouble() +
+                    field_of_view["unrepresentable_share"].GetDouble(),
                 1.0, 1e-12);
-    EXPECT_TRUE(contains(domain["why"].GetString(), "seen.pgm"));
+    EXPECT_TRUE(contains(field_of_view["why"].GetString(), "seen.pgm"));
     EXPECT_TRUE(camera["reach"].Empty()) << "the lens's angle is known";
     // The same angle by hand is the same conversion.
-    const std::string angle = std::to_string(domain["max_angle_deg"].GetDouble());
+    const std::string angle = std::to_string(field_of_view["max_angle_deg"].GetDouble());
     const auto by_hand = json_of({"convert", chain, "--to", "kalibr", "--model", "eucm", "--max-angle", angle, "--json"});
     EXPECT_NEAR(camera["error_px"]["rms"].GetDouble(), by_hand["cameras"][0]["error_px"]["rms"].GetDouble(),
                 0.01 * camera["error_px"]["rms"].GetDouble());
@@ -108,16 +109,16 @@ TEST(LensCircleOption, MayLieBesideTheAxis) {
     std::vector<std::string> as_json = words;
     as_json.insert(as_json.end(), {"--every-pixel", "--json"});
     const auto json = json_of(as_json);
-    const auto& domain = json["cameras"][0]["domain"];
-    EXPECT_NEAR(domain["lens_circle"]["centre"][0].GetDouble(), lit.u, 0.5);
-    EXPECT_NEAR(domain["lens_circle"]["centre"][1].GetDouble(), lit.v, 0.5);
-    EXPECT_NEAR(domain["lens_circle"]["radius_px"].GetDouble(), lit.radius, 1.0);
-    EXPECT_NEAR(domain["outside_lens_share"].GetDouble(), lit.share_beyond(), 6.3 * lit.radius / (512.0 * 512.0));
+    const auto& field_of_view = json["cameras"][0]["domain"];
+    EXPECT_NEAR(field_of_view["lens_circle"]["centre"][0].GetDouble(), lit.u, 0.5);
+    EXPECT_NEAR(field_of_view["lens_circle"]["centre"][1].GetDouble(), lit.v, 0.5);
+    EXPECT_NEAR(field_of_view["lens_circle"]["radius_px"].GetDouble(), lit.radius, 1.0);
+    EXPECT_NEAR(field_of_view["outside_lens_share"].GetDouble(), lit.share_beyond(), 6.3 * lit.radius / (512.0 * 512.0));
     // Its rim is nearer to the axis on one side than on the other: twice the angle is nobody's.
     std::vector<std::string> dry = words;
     dry.insert(dry.end(), {"--every-pixel", "--dry-run"});
     const RunResult run = run_program(dry);
-    const double angle = domain["max_angle_deg"].GetDouble();
+    const double angle = field_of_view["max_angle_deg"].GetDouble();
     EXPECT_TRUE(contains(run.out, text::format_short(angle, 4) + " deg")) << run.out;
     EXPECT_FALSE(contains(run.out, text::format_short(2.0 * angle, 4))) << run.out;
   }
@@ -305,7 +306,7 @@ TEST(LensCircleOption, IsSaidWhereTheModelEndsBefore) {
   const RunResult run =
       run_program({"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", seen, "--dry-run"});
   expect_said(run.out, "250.0 px");
-  EXPECT_EQ(why_of_domain(chain, seen), Code::kDomainAndInsideCircle);
+  EXPECT_EQ(why_of_field_of_view(chain, seen), Code::kFieldOfViewAndInsideCircle);
 }
 
 // Of several images those are named that show it, and a doubt is told at one of them.
@@ -334,7 +335,7 @@ TEST(LensCircleOption, WithoutADarkBorderTheWholeImageIsLens) {
         run_program({"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", path, "--dry-run"});
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_TRUE(says(run.err, "no-lens-circle")) << run.err;
-    EXPECT_EQ(why_of_domain(chain, path), Code::kDomainWholeImage);
+    EXPECT_EQ(why_of_field_of_view(chain, path), Code::kFieldOfViewWholeImage);
   }
 }
 

@@ -34,9 +34,9 @@ TEST(Losses, HalfAPoseIsLostForWhatItLacks) {
   const std::string carla = folder.write("FV.json", front);
   for (const char* option : {"--rewrite", "--resize=640x483"}) {
     const Told run({"convert", carla, "--to", "woodscape", "-o", folder / "out.json", option, "--force"});
-    const bool anew = option == std::string("--rewrite");  // else it is kept
+    const bool rewritten = option == std::string("--rewrite");  // else it is kept
     // The reason is in golden/convert.txt.
-    EXPECT_EQ(run.lost("not-carried", "extrinsic.quaternion"), anew) << run.text();
+    EXPECT_EQ(run.lost("not-carried", "extrinsic.quaternion"), rewritten) << run.text();
   }
 }
 

@@ -114,7 +114,7 @@ TEST(Options, MaxAngleCutsTheLensInProjectToo) {
   EXPECT_TRUE(contains(run.out, "\nnan nan")) << run.out;
 }
 
-TEST(Options, ALayoutThatItsProgramRefusesIsWrittenAnew) {
+TEST(Options, ALayoutThatItsProgramRefusesIsRewritten) {
   const std::string chain = testdata("formats/kalibr/good/opencv-header.yaml");  // OpenVINS' first line
   EXPECT_EQ(run_program({"convert", chain, "--to", "kalibr"}).code, 1) << "Kalibr refuses it";
   const RunResult same = run_program({"convert", chain, "--to", "kalibr", "--accept", "program-refuses"});

@@ -238,7 +238,7 @@ TEST(OutputFile, DryRunWritesNothing) {
   EXPECT_TRUE(contains(run.out, "cam0")) << run.out;
 }
 
-TEST(OutputFile, AJudgementAgainstItWritesNothingAndSparesTheOld) {
+TEST(OutputFile, ARejectedFileIsNotWrittenAndTheOldIsKept) {
   const TemporaryFolder folder;
   const std::string old = folder.write("old.yaml", kOld);
   // A time offset, which ORB-SLAM3 does not hold; and lenses that it holds with an error.
@@ -267,7 +267,7 @@ TEST(OutputFile, AJudgementAgainstItWritesNothingAndSparesTheOld) {
   EXPECT_EQ(folder.names(), std::set<std::string>{"old.yaml"});
   const RunResult piped = convert({"--strict", "--with", kImu}, delayed);
   EXPECT_EQ(piped.code, 1);
-  EXPECT_EQ(piped.out, "") << "a judged-bad file must not go to a pipe either";
+  EXPECT_EQ(piped.out, "") << "a rejected file must not go to a pipe either";
 }
 
 TEST(OutputFile, SeveralInputsGoIntoAFolder) {

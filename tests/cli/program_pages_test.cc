@@ -243,7 +243,7 @@ std::string table_of_keys(const std::vector<std::string>& words) {
   return table;
 }
 
-/// The page with its tables made anew.
+/// The page with its tables made again.
 std::string with_tables(const std::string& page) {
   const std::map<std::string, std::string (*)(const std::vector<std::string>&)> kTables = {
       {"programs:", &table_of_programs}, {"models:", &table_of_models}, {"keys:", &table_of_keys}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is written is proven, mended, refused, or said to be unproven: never written in silence.
+// What is written is proven, fixed, refused, or said to be unproven: never written in silence.
 #include "cli/run_program.h"
 #include "cli/told.h"
 
@@ -120,7 +120,7 @@ TEST(Proof, ACameraAddedToMcCalibsMapsIsProven) {
   ASSERT_EQ(json["proof"].Size(), 1U) << run.out;
   EXPECT_TRUE(json["proof"][0]["agrees"].GetBool());
   EXPECT_TRUE(opens(folder / "three.yml"));
-  // Without the first camera the others are counted anew.
+  // Without the first camera the others are counted again.
   const RunResult last = run_program({"convert", kCameras, "--camera", "1,2", "--to", "opencv", "--json"});
   EXPECT_EQ(json_of(last)["proof"].Size(), 1U) << last.out;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What our own reader makes of a file that the program wrote.
+// What our own reader reads from a file that the program wrote.
 #pragma once
 
 #include <fca/formats/calibration.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `show` says: the poses (in words: golden/show.txt), the three fields of view, and what a given program would make of the
-// file.
+// What `show` says: the poses (in words: golden/show.txt), the three fields of view, and what a given program would read from
+// the file.
 #include "cli/read_rig.h"
 #include "cli/run_program.h"
 #include "cli/told.h"

@@ -68,7 +68,7 @@ TEST(Toolkit, AModelIsFittedAndItsErrorIsAValue) {
   EXPECT_EQ(result.status, Status::kDone);
   ASSERT_EQ(result.cameras.size(), 2U);
   ASSERT_TRUE(result.cameras.front().report);
-  EXPECT_NEAR(result.cameras.front().report->judgement.error.rms, 0.0225, 1e-4);  // LIMITS.md: .0226 at best
+  EXPECT_NEAR(result.cameras.front().report->statistics.error.rms, 0.0225, 1e-4);  // LIMITS.md: .0226 at best
 
   request.max_error_px = 0.01;
   const ConvertResult limited = convert(request, files);

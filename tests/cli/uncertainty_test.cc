@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the command makes of a calibration's own uncertainty: report, JSON, page, limit and verdict; and of one lens for two.
+// What the command reports of a calibration's own uncertainty: report, JSON, page, limit and verdict; and of one lens for two.
 #include "run_program.h"
 #include "told.h"
 

@@ -61,8 +61,8 @@ TEST(VerdictReasons, WhatTheInputsOwnReaderWantsCountsForThatReaderAlone) {
   const Told kept({"convert", file, "--to", "ros"});
   EXPECT_EQ(kept.code(), 1) << kept.text();
   EXPECT_EQ(codes_of(kept).count("program-refuses"), 1U) << kept.text();
-  const Told anew({"convert", file, "--to", "ros", "--rewrite"});
-  EXPECT_EQ(word_of(anew), "ready") << anew.text();
+  const Told rewritten({"convert", file, "--to", "ros", "--rewrite"});
+  EXPECT_EQ(word_of(rewritten), "ready") << rewritten.text();
 }
 
 // ORB-SLAM2's settings and a fork's are none for stock ORB-SLAM3, whoever says it.

@@ -62,7 +62,7 @@ std::string line_of(const Diagnostic& diagnostic, const text::Source& source) {
   return diagnostic.remedy.is_said() ? line + " -> " + id_and_arguments(diagnostic.remedy) : line;
 }
 
-std::string judged(const fs::path& path) {
+std::string evaluated(const fs::path& path) {
   Parsed parsed = parse(read_file(path), path.filename().string());
   std::optional<Calibration> calibration;
   if (parsed.document) calibration = read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics);
@@ -86,9 +86,9 @@ std::string judged(const fs::path& path) {
 
 class BadFiles : public testing::TestWithParam<fs::path> {};
 
-TEST_P(BadFiles, AreJudgedAsExpected) {
+TEST_P(BadFiles, AreEvaluatedAsExpected) {
   const fs::path expected = GetParam().string() + ".expected";
-  const std::string text = judged(GetParam());
+  const std::string text = evaluated(GetParam());
   if (std::getenv("FCA_WRITE_EXPECTED") != nullptr) std::ofstream(expected, std::ios::binary) << text;
   ASSERT_TRUE(fs::exists(expected)) << "run with FCA_WRITE_EXPECTED=1 and read what it wrote:\n" << text;
   EXPECT_EQ(text, read_file(expected));

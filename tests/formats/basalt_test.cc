@@ -186,7 +186,7 @@ TEST(Basalt, AnotherModelTakesTheOnesPlace) {
   EXPECT_TRUE(program().load(bytes, {}).loads());
 }
 
-// Fewer cameras: composed anew, with the IMU and its biases.
+// Fewer cameras: rewritten, with the IMU and its biases.
 TEST(Basalt, FewerCamerasKeepTheImusBiases) {
   const Calibration calibration = calibration_of(good("pair.json"), "pair.json");
   Rig rig = calibration.rig;

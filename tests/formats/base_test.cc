@@ -195,7 +195,7 @@ bool still_says(std::span<const ExtraField> files, const ExtraField& extra) {
   });
 }
 
-/// Is the key, or its group, among the losses, or among what is made up anew (OCamCalib's inverse polynomial)?
+/// Is the key, or its group, among the losses, or among what is computed (OCamCalib's inverse polynomial)?
 bool is_listed(const Written& written, const std::string& key) {
   if (std::ranges::find(written.defaults, key, &DefaultedValue::key) != written.defaults.end()) return true;
   return std::ranges::any_of(written.losses, [&key](const Loss& loss) {
@@ -204,8 +204,8 @@ bool is_listed(const Written& written, const std::string& key) {
   });
 }
 
-// Whatever the format: where a base gives way to a file that is composed anew, each of its keys is carried or listed.
-TEST(Base, ABaseComposedAnewGoesWithNoKeyUnsaid) {
+// Whatever the format: where a base gives way to a file that is rewritten, each of its keys is carried or listed.
+TEST(Base, ARewrittenBaseGoesWithNoKeyUnreported) {
   int bases = 0;
   for (const Format& format : written_formats()) {
     if (!format.layout_of.empty()) continue;  // its files are another's
@@ -223,9 +223,9 @@ TEST(Base, ABaseComposedAnewGoesWithNoKeyUnsaid) {
       // A rig from elsewhere, that knows nothing of the base's own keys.
       Rig rig = sample_rig("kb4", {false, false});
       if (!base->cameras.empty()) rig.cameras.front().model = base->cameras.front().model;
-      WriteOptions anew;
-      anew.anew = true;
-      const std::optional<Written> written = write_calibration(format, &*document, rig, anew, diagnostics);
+      WriteOptions rewrite;
+      rewrite.rewrite = true;
+      const std::optional<Written> written = write_calibration(format, &*document, rig, rewrite, diagnostics);
       ASSERT_TRUE(written) << (diagnostics.entries().empty() ? "" : message_of(diagnostics.entries().back()));
       ++bases;
       std::vector<ExtraField> said;

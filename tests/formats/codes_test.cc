@@ -96,13 +96,13 @@ TEST(Messages, DiagnosticsTakeSeverityAndWordsFromTheTable) {
   Diagnostics diagnostics;
   diagnostics.add(Code::kLensCircleStretched, {"cam0"});
   diagnostics.add(Severity::kError, Code::kLensCircleStretched, {"cam1"});
-  diagnostics.add(Diagnostic{Severity::kError, {Code::kImageSizeNotStated, {"cam2"}}, {}, {Code::kTimeOffsetOfMilliseconds}});
+  diagnostics.add(Diagnostic{Severity::kError, {Code::kImageSizeNotGiven, {"cam2"}}, {}, {Code::kTimeOffsetOfMilliseconds}});
   ASSERT_EQ(diagnostics.entries().size(), 3U);
   EXPECT_EQ(diagnostics.entries()[0].severity, Severity::kWarning);
   EXPECT_EQ(diagnostics.entries()[1].severity, Severity::kError);
   EXPECT_EQ(id_of(diagnostics.entries()[0]), "lens-circle-stretched");
   EXPECT_EQ(message_of(diagnostics.entries()[1]), text::text_of({Code::kLensCircleStretched, {"cam1"}}));
-  // What mends it, where its maker knows better: that row's fix, else its sentence.
+  // What fixes it, where its maker knows better: that row's fix, else its sentence.
   EXPECT_EQ(fix_of(diagnostics.entries()[2]), text::text_of({Code::kTimeOffsetOfMilliseconds}));
 }
 

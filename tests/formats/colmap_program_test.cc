@@ -130,7 +130,7 @@ std::string as(const std::string& bytes, const std::string& name, const std::str
   return written ? written->files.front().document.bytes() : "";
 }
 
-/// The file of cameras that COLMAP makes of one. `kind`: "txt" or "bin", of what goes in.
+/// The file of cameras into which COLMAP converts one. `kind`: "txt" or "bin", of what goes in.
 std::string as_colmap_writes(const std::string& cameras, const std::string& kind, const std::string& to) {
   const Folder folder;
   const std::string none = kind == "bin" ? std::string(8, '\0') : "";

@@ -72,7 +72,7 @@ TEST(Colmap, ParametersMeanWhatColmapsFormulasSay) {
       (radial + 0.003 * std::pow(kR2, 3)) / (1.0 + 0.04 * kR2 - 0.005 * kR2 * kR2 + 0.0006 * std::pow(kR2, 3));
   const double fov = std::atan(2.0 * kRadius * std::tan(0.45)) / (0.9 * kRadius);
   const double eucm = 1.0 / (0.6 * std::sqrt(1.1 * kR2 + 1.0) + 0.4);
-  // Of radius = r / (1 + k r^2), which is what COLMAP makes of a pixel, the root r.
+  // Of radius = r / (1 + k r^2), which COLMAP computes from a pixel, the root r.
   const double division = (1.0 - std::sqrt(1.0 + 0.4 * kR2)) / (-0.2 * kR2);
   const double pincushion = (1.0 - std::sqrt(1.0 - 0.4 * kR2)) / (0.2 * kR2);
   const double x = kTheta * kX / kRadius;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calibrations beside each other, over all good files: a file beside itself, a slip of the pen planted into it, and honest
-// pairs, of which no slip may be claimed.
+// Calibrations beside each other, over all good files: a file beside itself, a common mistake planted into it, and honest
+// pairs, of which no mistake may be claimed.
 #include "formats/test_files.h"
 
 #include <fca/compare/compare.h>
@@ -111,7 +111,7 @@ TEST(CompareFiles, AFileIsExactlyItself) {
     EXPECT_TRUE(result.identical());
     EXPECT_EQ(said(result), "");
     EXPECT_EQ(result.cameras.size(), rig.cameras.size());
-    for (const CameraComparison& camera : result.cameras) EXPECT_EQ(camera.difference.judgement.error.max, 0.0);
+    for (const CameraComparison& camera : result.cameras) EXPECT_EQ(camera.difference.statistics.error.max, 0.0);
     for (const PoseComparison& pose : result.poses) EXPECT_EQ(pose.angle_rad + pose.distance_m, 0.0);
     EXPECT_TRUE(result.only_in_reference.empty() && result.only_in_other.empty());
   }
@@ -135,7 +135,7 @@ TEST(CompareFiles, EveryFileOfTheCorpusIsExactlyItself) {
       EXPECT_FALSE(diagnostics.has_errors()) << message_of(diagnostics.entries().front());
       EXPECT_TRUE(result.identical() && result.mistakes.empty());
       EXPECT_EQ(result.cameras.size(), calibration->rig.cameras.size());
-      for (const CameraComparison& camera : result.cameras) EXPECT_EQ(camera.difference.judgement.error.max, 0.0);
+      for (const CameraComparison& camera : result.cameras) EXPECT_EQ(camera.difference.statistics.error.max, 0.0);
       ++compared_files;
     }
   }
@@ -185,7 +185,7 @@ TEST(CompareFiles, PosesAndNumbersDifferAsMuchInBothDirections) {
   EXPECT_GT(poses, 20U);
 }
 
-/// Makes a slip of the pen in a rig; false where it changes nothing that could be told.
+/// Makes a common mistake in a rig; false where it changes nothing that could be told.
 struct Plant {
   std::string code;
   std::size_t fewest;  ///< Good files in which it can be told.
@@ -246,7 +246,7 @@ bool rename(Rig& rig, std::string_view from, std::string_view to) {
 }
 
 /// The same focal lengths and centre without any lens.
-bool leave_out_lens(Rig& rig) {
+bool remove_distortion(Rig& rig) {
   for (Camera& camera : rig.cameras) {
     if (!model_info(camera.model).focal_lengths_first || model_info(camera.model).parameters.size() == 4) continue;
     CameraModel straight = *make_model("pinhole");
@@ -375,7 +375,7 @@ const std::vector<Plant>& plants() {
       {"wrong-model", 2, [](Rig& rig) { return rename(rig, "radtan", "kb4"); }},
       {"wrong-model", 2, [](Rig& rig) { return rename(rig, "eucm", "ds"); }},
       {"wrong-model", 2, [](Rig& rig) { return rename(rig, "ucm", "mei"); }},
-      {"distortion-left-out", 3, leave_out_lens},
+      {"distortion-left-out", 3, remove_distortion},
       {"cameras-exchanged", 3,
        [](Rig& rig) {
          if (rig.cameras.size() < 2) return false;
@@ -421,7 +421,7 @@ const std::vector<Plant>& plants() {
   return kPlants;
 }
 
-TEST(CompareFiles, PlantedSlipsAreNamed) {
+TEST(CompareFiles, PlantedMistakesAreNamed) {
   std::map<std::string, Rig> rigs = completed_rigs();
   rigs.insert(good_rigs().begin(), good_rigs().end());
   for (std::size_t i = 0; i < plants().size(); ++i) {
@@ -446,7 +446,7 @@ TEST(CompareFiles, PlantedSlipsAreNamed) {
 }
 
 /// Compares each with a few that follow it.
-std::size_t expect_no_slips(const std::map<std::string, Rig>& rigs, int neighbours) {
+std::size_t expect_no_mistakes(const std::map<std::string, Rig>& rigs, int neighbours) {
   std::size_t pairs = 0;
   for (auto one = rigs.begin(); one != rigs.end(); ++one) {
     auto two = one;
@@ -513,7 +513,7 @@ TEST(CompareFiles, ALensUnderAnotherModelsNameIsRecognised) {
         other.cameras.front().model = *wrong;
         const RigComparison compared =
             compare(reference, other, {.max_angle_rad = 50.0 * kRadiansPerDegree, .bound = false}, diagnostics);
-        if (compared.cameras.empty() || compared.cameras.front().difference.judgement.error.max <= 1.0) continue;
+        if (compared.cameras.empty() || compared.cameras.front().difference.statistics.error.max <= 1.0) continue;
         ++pairs;
         ASSERT_EQ(compared.mistakes.size(), 1U) << right.id << " as " << name.id;
         EXPECT_EQ(id_of(compared.mistakes.front().message), "wrong-model") << right.id << " as " << name.id;
@@ -524,7 +524,7 @@ TEST(CompareFiles, ALensUnderAnotherModelsNameIsRecognised) {
   EXPECT_GE(pairs, 20U);
 }
 
-TEST(CompareFiles, NoSlipIsClaimedOfHonestPairs) { EXPECT_GT(expect_no_slips(good_rigs(), 2), 70U); }
+TEST(CompareFiles, NoMistakeIsClaimedOfHonestPairs) { EXPECT_GT(expect_no_mistakes(good_rigs(), 2), 70U); }
 
 TEST(CompareFiles, PosesHaveTheNamesOfTheirFiles) {
   const std::map<std::string, std::vector<std::string>> expected = {
@@ -577,7 +577,7 @@ TEST(CompareFiles, PosesAloneAreCompared) {
 }
 
 // Neighbours by name are often calibrations of one camera.
-TEST(CompareFiles, NoSlipIsClaimedOfRealPairs) {
+TEST(CompareFiles, NoMistakeIsClaimedOfRealPairs) {
   const fs::path corpus = shared_dir() / "corpus";
   if (!fs::exists(corpus)) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
   std::size_t pairs = 0;
@@ -588,7 +588,7 @@ TEST(CompareFiles, NoSlipIsClaimedOfRealPairs) {
       if (at++ % 4 >= 2) continue;  // pairs of neighbours; all of them take too long
       if (std::optional<Calibration> calibration = read(path)) rigs[path.filename().string()] = calibration->rig;
     }
-    pairs += expect_no_slips(rigs, 1);
+    pairs += expect_no_mistakes(rigs, 1);
   }
   EXPECT_GT(pairs, 100U);
 }

@@ -48,7 +48,7 @@ std::string tree_as_parsed(const text::Document& document) {
   return tree_of(document_of(document.bytes(), document.source().name));
 }
 
-/// Writes the rig anew; true if the format holds it.
+/// Rewrites the rig; true if the format holds it.
 bool trees_are_as_parsed(const Format& format, const Rig& rig, const WriteOptions& options) {
   Diagnostics diagnostics;
   const std::optional<Written> written = format.write(nullptr, rig, options, diagnostics);

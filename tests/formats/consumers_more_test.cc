@@ -95,7 +95,7 @@ TEST(OpenCvConsumer, FourCoefficientsAreWhatTheCallerSays) {
   expect_pixel(load_told(mono(kFisheye, 4), OpenCvModel::kFisheye), 0, kRay, 359.36986018344106, 159.29178662394585);
   expect_pixel(load("opencv", mono(kFisheye, 4, "fisheye_model: 1\n")), 0, kRay, 359.36986018344106, 159.29178662394585);
   EXPECT_TRUE(load("opencv", mono(kD4, 4, "fisheye_model: 0\n")).warnings.empty());
-  expect_warning(load_told(mono(kD4, 4, "fisheye_model: 1\n"), OpenCvModel::kPinhole), Code::kCvToldOtherwise,
+  expect_warning(load_told(mono(kD4, 4, "fisheye_model: 1\n"), OpenCvModel::kPinhole), Code::kCvGivenOtherwise,
                  "distortion_coefficients", {"fisheye", "pinhole"});
   expect_refused(load("opencv", mono(kD5, 5, "fisheye_model: 1\n")), Code::kCvCoefficientsNotFour, "camera_matrix",
                  {5, "cv::fisheye"});
@@ -249,7 +249,7 @@ TEST(OpenCvConsumer, RefusesBytesThatOpenCvDoesNotTake) {
   expect_refused(load("opencv", flat + "\"z\": 1}"), Code::kCvNoCameraMatrix);
 }
 
-// cv::FileStorage is the judge: of a file, as programs open it, and not of bytes in memory.
+// cv::FileStorage decides: about a file, as programs open it, and not about bytes in memory.
 TEST(OpenCvConsumer, TakesTheFilesThatFileStorageTakes) {
   const std::string yaml = mono(kD5, 5);
   const std::string xml =

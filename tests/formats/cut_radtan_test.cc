@@ -57,7 +57,7 @@ TEST(CutRadtan, OfTheCorpusIsTheBestThatDoesNotFold) {
       if (coefficients == 4) options.ranges = {{"k3", 0.0, 0.0}};
       Diagnostics diagnostics;
       const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
-      if (!conversion || !conversion->report.fitted_to_cone) continue;
+      if (!conversion || !conversion->report.angle_reduced) continue;
       const Cone cone(camera, conversion->report.scored_to_deg * kRadiansPerDegree);
       const double rms = cone.rms_of(conversion->camera.model);
       const double ratio = rms / best_radtan_rms(camera, cone, coefficients, starts);

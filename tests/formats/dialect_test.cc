@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// FORMATS.md section 0: the same bytes mean different things to PyYAML and to cv::FileStorage. Where the judge can be asked
-// (the consumers' PyYAML, OpenCV itself) it is, too.
+// FORMATS.md section 0: the same bytes mean different things to PyYAML and to cv::FileStorage. Where the
+// readers can be asked (the consumers' PyYAML, OpenCV itself) they are, too.
 #include "formats/test_files.h"
 #include "pyyaml.h"
 

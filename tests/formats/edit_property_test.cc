@@ -29,7 +29,7 @@ std::optional<Base> base_at(const fs::path& path) {
   return Base{path.string(), parsed.source.bytes, *std::move(calibration)};
 }
 
-/// SVO's flat files are read, and written anew in today's keys.
+/// SVO's flat files are read, and rewritten in today's keys.
 bool is_replaced(const Base& base) {
   return base.calibration.format->id == "ncamera" && base.bytes.find("cam_model") != std::string::npos;
 }

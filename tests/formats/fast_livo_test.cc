@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// FAST-LIVO's camera: what its numbers mean, what its program makes of them, and that edits keep every other byte.
+// FAST-LIVO's camera: what its numbers mean, what its program reads from them, and that edits keep every other byte.
 #include "formats/rigs.h"
 #include "formats/test_files.h"
 

@@ -172,8 +172,8 @@ TEST(ForeignFiles, EachIsNamed) {
   }
 }
 
-/// What is wrong with the file is said where it has a syntax: a ROS file with a slip is not another program's.
-TEST(ForeignFiles, ASlipInOneOfOursIsToldAsSuch) {
+/// What is wrong with the file is said where it has a syntax: a ROS file with a mistake is not another program's.
+TEST(ForeignFiles, AMistakeInOneOfOursIsReportedAsSuch) {
   const std::optional<Message> said = refusal("camera_matrix: {data: [1, 2\ndistortion_coefficients: 3\n", "ost.yaml");
   ASSERT_TRUE(said);
   EXPECT_FALSE(same_id(said->code, Code::kFormatUnknown));

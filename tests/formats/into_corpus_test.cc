@@ -83,7 +83,7 @@ void expect_bases_take(Rig (*change)(Rig), int fewest_tried, int fewest_proven) 
     if (!written) continue;
     ++tried;
     const text::Document& document = written->files.front().document;
-    // Only a base whose layout has no such lens is composed anew; --into asks before.
+    // Only a base whose layout has no such lens is rewritten; --into asks before.
     if (document.source().bytes != bytes) {
       EXPECT_FALSE(format.layout_holds(*base, model_info(other.cameras.front().model).id)) << "composed anew";
       continue;

@@ -41,8 +41,8 @@ TEST(KalibrOverlaps, AreTheSameCamerasInAnyOrder) {
   const Relation before = relation_in(bytes);
   for (const std::vector<std::size_t>& order :
        {std::vector<std::size_t>{0, 1, 2, 3}, {3, 2, 1, 0}, {2, 0}, {1, 2}, {2}, {0, 2, 3}, {1, 3, 0, 2}}) {
-    for (const bool anew : {false, true}) {
-      SCOPED_TRACE(testing::PrintToString(order) + (anew ? " anew" : ""));
+    for (const bool rewrite : {false, true}) {
+      SCOPED_TRACE(testing::PrintToString(order) + (rewrite ? " anew" : ""));
       Rig rig = base.rig;
       rig.cameras.clear();
       for (const std::size_t i : order) rig.cameras.push_back(base.rig.cameras[i]);
@@ -55,7 +55,7 @@ TEST(KalibrOverlaps, AreTheSameCamerasInAnyOrder) {
                              [&present](double other) { return present.contains(other); });
       }
       WriteOptions options;
-      options.anew = anew;
+      options.rewrite = rewrite;
       Diagnostics diagnostics;
       const std::optional<Written> written =
           write_calibration(*base.format, &base.documents.front(), rig, options, diagnostics);

@@ -164,7 +164,7 @@ TEST(Ncamera, AnotherOmniLensHasAnotherInverse) {
 TEST(Ncamera, IdsAndTuningAreKept) {
   const Calibration calibration = calibration_of(good("pair.yaml"));
   WriteOptions options;
-  options.anew = true;
+  options.rewrite = true;
   Diagnostics diagnostics;
   const std::optional<Written> written =
       write_calibration(ncamera(), &calibration.documents.front(), calibration.rig, options, diagnostics);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Real files of corpus/{ocamcalib,woodscape,tumvi} and extra/dso_camera_txt: nothing else of the corpus is taken for one of
-// these formats, inverse polynomials written anew are good, and the pixels are those of their own programs. corpus_test.cc has
+// these formats, inverse polynomials rewritten are good, and the pixels are those of their own programs. corpus_test.cc has
 // the table of what is read and refused.
 #include "formats/oracle_table.h"
 
@@ -56,7 +56,7 @@ double world2cam_error(const Rig& rig, const std::string& bytes) {
   return worst;
 }
 
-// Every real lens, its inverse polynomial removed: the one that is written anew is within 1e-6 px over the whole lens.
+// Every real lens, its inverse polynomial removed: the one that is rewritten is within 1e-6 px over the whole lens.
 TEST(WordsCorpus, TheInverseWrittenIsWithinAMillionthOfAPixel) {
   if (!has_shared()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
   int lenses = 0;

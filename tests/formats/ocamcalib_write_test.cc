@@ -128,7 +128,7 @@ TEST(OCamCalibWrite, TheInverseIsFittedToAMillionthOfAPixel) {
 }
 
 // An image that reaches beyond the angle at which the direct polynomial folds: there is no inverse out there, and the curve
-// ends with an infinite slope. The best polynomial is written, and how good it is said.
+// ends with an infinite derivative. The best polynomial is written, and how good it is said.
 TEST(OCamCalibWrite, ALensThatFoldsInsideTheImageIsSaid) {
   const Camera camera = camera_with({320, 240, 1, 0, 0, -200, 0, -1.25e-3, 0, 0, 0, 0, 0, 0}, {640, 480});
   Diagnostics diagnostics;
@@ -201,7 +201,7 @@ RC_GTEST_PROP(OCamCalibEdit, AnyOtherCameraReadsBack, ()) {
   RC_ASSERT(prove(world2cam(), bytes_of(written), {}, rig).agrees());
 }
 
-// The two defects that the writer mends, told by the reader (testdata/formats/ocamcalib/bad).
+// The two defects that the writer fixes, told by the reader (testdata/formats/ocamcalib/bad).
 TEST(OCamCalibEdit, AMissingOrStaleInverseIsRebuilt) {
   const std::string good = read_file(testdata_dir() / "ocamcalib/good/toolbox.txt");
   for (const char* file : {"stale-inverse.txt", "no-inverse.txt", "inverse-empty.txt"}) {

@@ -181,7 +181,7 @@ TEST(Okvis, RatesAndTopicsAreLost) {
 TEST(Okvis, TuningIsKept) {
   const Calibration calibration = calibration_of(good("pair.yaml"));
   WriteOptions options;
-  options.anew = true;
+  options.rewrite = true;
   Diagnostics diagnostics;
   const std::optional<Written> written =
       write_calibration(okvis(), &calibration.documents.front(), calibration.rig, options, diagnostics);

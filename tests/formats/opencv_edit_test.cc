@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writing a rig over an OpenCV file changes what differs and no other byte; where the keys cannot hold the rig, the file is
-// composed anew and that is said.
+// rewritten and that is said.
 #include "formats/lost_facts.h"
 #include "formats/rigs.h"
 #include "formats/test_files.h"
@@ -132,7 +132,7 @@ TEST(OpenCvEdit, MapsOfTwoCamerasCanHoldTheirPoseBesideThem) {
   EXPECT_EQ(bytes_of(write(base, rig)), with_replaced(bytes, "-0.125", "-0.25"));
 }
 
-/// Everything a base may be asked to say anew: the result reads as the rig that was asked for, and OpenCV agrees.
+/// Everything a base may be asked to say again: the result reads as the rig that was asked for, and OpenCV agrees.
 struct Change {
   const char* what;
   void (*apply)(Rig& rig);
@@ -540,7 +540,7 @@ TEST(OpenCvEdit, CamerasComeAndGoInEverySyntax) {
   }
 }
 
-TEST(OpenCvEdit, WhatTheKeysCannotHoldIsComposedAnewAndSaid) {
+TEST(OpenCvEdit, WhatTheKeysCannotHoldIsRewrittenAndReported) {
   const Base base = good("calibration.yml");
   const Written pair = write(base, sample_rig("radtan", {true, false}));
   EXPECT_TRUE(has_loss(pair, "comments-dropped"));
@@ -561,9 +561,9 @@ TEST(OpenCvEdit, TheSyntaxOfTheBaseStays) {
   set_parameter(rig.cameras[0].model, "cx", 510.5);
   const std::string bytes = bytes_of(write(base, rig));
   EXPECT_EQ(bytes, with_replaced(base.bytes, "5.1225000000000000e+02", "510.5"));
-  WriteOptions anew;
-  anew.anew = true;
-  EXPECT_TRUE(bytes_of(write(base, rig, anew)).starts_with("<?xml"));
+  WriteOptions rewrite;
+  rewrite.rewrite = true;
+  EXPECT_TRUE(bytes_of(write(base, rig, rewrite)).starts_with("<?xml"));
 }
 
 }  // namespace

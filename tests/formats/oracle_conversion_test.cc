@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is converted from one program's file for another program and called ready: the second sees each ray where the first
 // program itself computed it (oracles/). The folder is not part of the repository; without it all is skipped.
-#include "formats/oracle_judgement.h"
+#include "formats/oracle_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ TEST(OracleVerdict, ReadyForAnotherProgramIsWhatTheFirstComputed) {
         const auto reader = seen_by_program(converted(table, original->camera.name, target));
         if (!reader) continue;
         const OracleDistance real =
-            judge(original->camera, table, original->reader.scale, original->proof.distance.is_wide, by_reader(*reader));
+            evaluate(original->camera, table, original->reader.scale, original->proof.distance.is_wide, by_reader(*reader));
         if (real.compared == 0) continue;
         ++ready[target];
         EXPECT_LE(real.rms, kReadyPx) << table.file << " cam" << table.camera << " for " << target;

@@ -66,7 +66,7 @@ inline ReadCorpusFile read_corpus_file(const std::string& file) {
 
 inline double distance(const Pixel& a, const Pixel& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
-/// What a format's writer makes of a rig; an expectation fails where it refuses.
+/// What a format's writer returns for a rig; an expectation fails where it refuses.
 inline Written written_by(const Format& format, const text::Document* base, const Rig& rig, const WriteOptions& options = {}) {
   Diagnostics diagnostics;
   std::optional<Written> written = format.write(base, rig, options, diagnostics);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The verdict about pixels, judged by what the real programs computed (oracles/) and not by our imitations of them. The folder
-// is not part of the repository; without it all is skipped.
-#include "formats/oracle_judgement.h"
+// The verdict about pixels, checked against what the real programs computed (oracles/) and not by our imitations of them. The
+// folder is not part of the repository; without it all is skipped.
+#include "formats/oracle_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -24,11 +24,12 @@ struct Verdicts {
   std::vector<std::string> wrong;
 };
 
-void judge_table(const consumers::Consumer& consumer, const OracleTable& table, Verdicts& verdicts) {
+void evaluate_table(const consumers::Consumer& consumer, const OracleTable& table, Verdicts& verdicts) {
   const std::optional<Case> one = case_of(consumer, table);
   if (!one) return;
   const PixelDistance& said = one->proof.distance.decisive();
-  const OracleDistance real = judge(one->camera, table, one->reader.scale, one->proof.distance.is_wide, by_model(one->camera));
+  const OracleDistance real =
+      evaluate(one->camera, table, one->reader.scale, one->proof.distance.is_wide, by_model(one->camera));
   if (real.compared == 0) return;
   ++verdicts.tables;
   const bool ready = word_of(said) == VerdictWord::kReady;
@@ -43,9 +44,9 @@ void judge_table(const consumers::Consumer& consumer, const OracleTable& table, 
   verdicts.wrong.emplace_back(line.data());
 }
 
-Verdicts judge_tables(const consumers::Consumer& consumer, const Printed& printed) {
+Verdicts evaluate_tables(const consumers::Consumer& consumer, const Printed& printed) {
   Verdicts verdicts;
-  for (const OracleTable& table : oracle_tables(printed.folder, printed.suffix)) judge_table(consumer, table, verdicts);
+  for (const OracleTable& table : oracle_tables(printed.folder, printed.suffix)) evaluate_table(consumer, table, verdicts);
   return verdicts;
 }
 
@@ -54,7 +55,7 @@ TEST(OracleVerdict, ReadyIsWhatTheRealProgramUnderstands) {
   int tables = 0;
   int ready = 0;
   for (const Printed& printed : kPrinted) {
-    const Verdicts verdicts = judge_tables(*consumers::find_consumer(printed.program), printed);
+    const Verdicts verdicts = evaluate_tables(*consumers::find_consumer(printed.program), printed);
     std::printf("%-10s %d cameras, %d ready\n", printed.program, verdicts.tables, verdicts.ready);
     for (const std::string& wrong : verdicts.wrong) ADD_FAILURE() << printed.program << ": " << wrong;
     tables += verdicts.tables;
@@ -65,9 +66,9 @@ TEST(OracleVerdict, ReadyIsWhatTheRealProgramUnderstands) {
   EXPECT_LT(ready, tables) << "real files that their program misreads are among them";
 }
 
-/// The table's camera, written anew for its program, as our imitation reads the new file; nothing where the program misreads
+/// The table's camera, rewritten for its program, as our imitation reads the new file; nothing where the program misreads
 /// the old one.
-std::optional<Case> written_anew(const consumers::Consumer& consumer, const OracleTable& table) {
+std::optional<Case> rewritten_case(const consumers::Consumer& consumer, const OracleTable& table) {
   const std::optional<Case> old = case_of(consumer, table);
   if (!old || old->proof.misread || word_of(old->proof.distance.decisive()) != VerdictWord::kReady) return std::nullopt;
   Rig rig;
@@ -85,17 +86,17 @@ std::optional<Case> written_anew(const consumers::Consumer& consumer, const Orac
 }
 
 // What is written from such a camera and called ready has the pixels that the program computed of the old file.
-TEST(OracleVerdict, WhatIsWrittenAnewAndReadyHasTheProgramsPixels) {
+TEST(OracleVerdict, WhatIsRewrittenAndReadyHasTheProgramsPixels) {
   if (!has_shared()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
   int ready = 0;
   for (const Printed& printed : kPrinted) {
     const consumers::Consumer& consumer = *consumers::find_consumer(printed.program);
     for (const OracleTable& table : oracle_tables(printed.folder, printed.suffix)) {
-      const std::optional<Case> anew = written_anew(consumer, table);
+      const std::optional<Case> rewritten = rewritten_case(consumer, table);
       const std::optional<Case> old = case_of(consumer, table);
-      if (!anew || word_of(anew->proof.distance.decisive()) != VerdictWord::kReady) continue;
-      const OracleDistance real =
-          judge(anew->camera, table, old->reader.scale, anew->proof.distance.is_wide, by_reader(anew->reader));
+      if (!rewritten || word_of(rewritten->proof.distance.decisive()) != VerdictWord::kReady) continue;
+      const OracleDistance real = evaluate(rewritten->camera, table, old->reader.scale, rewritten->proof.distance.is_wide,
+                                           by_reader(rewritten->reader));
       ++ready;
       EXPECT_LE(real.rms, kReadyPx) << table.file << " cam" << table.camera;
     }
@@ -119,12 +120,12 @@ consumers::ConsumerView load_wrong(std::string_view bytes, const consumers::Load
   return view;
 }
 
-// The judge can fail: a wrong coefficient in one of our imitations makes its verdicts differ from what the program computed.
+// The verdict can fail: a wrong coefficient in one of our imitations makes its verdicts differ from what the program computed.
 TEST(OracleVerdict, AWrongImitationIsFoundOut) {
   if (!has_shared()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
   consumers::Consumer wrong = *consumers::find_consumer("kalibr");
   wrong.load = &load_wrong;
-  const Verdicts verdicts = judge_tables(wrong, kPrinted.front());
+  const Verdicts verdicts = evaluate_tables(wrong, kPrinted.front());
   EXPECT_GE(verdicts.wrong.size(), 5U);
 }
 

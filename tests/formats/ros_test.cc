@@ -300,7 +300,7 @@ TEST(Ros, AFreshIniComesBackAndHoldsNoFisheye) {
 }
 
 // An .ini that is to hold a fisheye becomes YAML.
-TEST(Ros, AnIniThatCannotHoldTheLensIsComposedAnew) {
+TEST(Ros, AnIniThatCannotHoldTheLensIsRewritten) {
   const Calibration calibration = calibration_of(good("videre.ini"), "videre.ini");
   Rig rig = calibration.rig;
   rig.cameras.front().model = sample_model("kb4");

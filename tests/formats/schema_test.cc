@@ -49,7 +49,7 @@ constexpr Schema kLists = {.what = "a test",
                            .root = {.keys = kRigKeys, .unread = ""},
                            .codes = {.offset_rounded = Code::kBasaltOffsetRounded, .further_imu = Code::kBasaltImuDropped}};
 
-// One camera, fact by fact. (No reader of poses in lists: each format judges its quaternion in its own way.)
+// One camera, fact by fact. (No reader of poses in lists: each format checks its quaternion in its own way.)
 constexpr std::array kLensKeys = {schema::parameter("f", "fx"), schema::parameter("f_v", "fy"), schema::parameter("c", "cx"),
                                   schema::parameter("c_v", "cy")};
 constexpr schema::Mapping kLens = {.keys = kLensKeys, .unread = "lens."};

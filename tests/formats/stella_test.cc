@@ -198,7 +198,7 @@ TEST(Stella, AFreshFileInABasesPlaceKeepsItsTuning) {
   EXPECT_NE(bytes.find("num_levels: 7"), std::string::npos);
 }
 
-// A pair in the file's own rectification: nothing is chosen anew.
+// A pair in the file's own rectification: nothing is chosen again.
 TEST(Stella, TheRectificationOfAFileIsKept) {
   const std::string bytes = good("good/raw-pair.yaml");
   const Rig rig = calibration_of(bytes, "pair.yaml").rig;

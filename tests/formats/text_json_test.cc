@@ -101,8 +101,8 @@ TEST(TextJson, WhatIsWrongAndWhere) {
     Message facts;
   };
   const Row kRows[] = {
-      {"{\"a\": 1,}", "1:8 json-syntax", {Code::kJsonCommaBehindLast}},
-      {"{\n  \"a\": [1, 2,\n  ]\n}", "2:13 json-syntax", {Code::kJsonCommaBehindLast}},
+      {"{\"a\": 1,}", "1:8 json-syntax", {Code::kJsonCommaAfterLast}},
+      {"{\n  \"a\": [1, 2,\n  ]\n}", "2:13 json-syntax", {Code::kJsonCommaAfterLast}},
       {"{\n  'a': 1\n}", "2:3 json-syntax", {Code::kJsonSingleQuotes}},
       {"{\"a\": 'b'}", "1:7 json-syntax", {Code::kJsonSingleQuotes}},
       {"{\"a\": NaN}", "1:7 json-syntax", {Code::kJsonNotANumber}},
@@ -111,8 +111,8 @@ TEST(TextJson, WhatIsWrongAndWhere) {
       {"{\"a\": -Infinity}", "1:7 json-syntax", {Code::kJsonNotANumber}},
       {"{\"a\": 1} // c", "1:10 json-syntax", {Code::kJsonComment}},
       {"{\n# c\n\"a\": 1}", "2:1 json-syntax", {Code::kJsonComment}},
-      {"{\"a\": 1}\n{\"b\": 2}", "2:1 json-syntax", {Code::kJsonBehindRoot}},
-      {"{\"a\": 1}}", "1:9 json-syntax", {Code::kJsonBehindRoot}},
+      {"{\"a\": 1}\n{\"b\": 2}", "2:1 json-syntax", {Code::kJsonAfterRoot}},
+      {"{\"a\": 1}}", "1:9 json-syntax", {Code::kJsonAfterRoot}},
       {"{\"a\": [1, 2\n", "1:7 json-syntax", {Code::kJsonBracketOpen, {"["}}},
       {"{\"a\": {\"b\": 1}", "1:1 json-syntax", {Code::kJsonBracketOpen, {"{"}}},
       {"{\"a\": ", "1:1 json-syntax", {Code::kJsonBracketOpen, {"{"}}},

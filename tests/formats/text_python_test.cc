@@ -108,8 +108,8 @@ TEST(TextPython, WhatIsWrongAndWhere) {
   const Row kRows[] = {
       {"{'a': nan}", "1:7 python-syntax", {Code::kLiteralNotANumber}},
       {"{'a': -inf}", "1:7 python-syntax", {Code::kLiteralNotANumber}},
-      {"{'a': 1}\n{'b': 2}", "2:1 python-syntax", {Code::kLiteralBehindRoot}},
-      {"{'a': 1},", "1:9 python-syntax", {Code::kLiteralBehindRoot}},
+      {"{'a': 1}\n{'b': 2}", "2:1 python-syntax", {Code::kLiteralAfterRoot}},
+      {"{'a': 1},", "1:9 python-syntax", {Code::kLiteralAfterRoot}},
       {"{'a': [1, 2\n", "1:7 python-syntax", {Code::kLiteralBracketOpen, {"["}}},
       {"{'a': {'b': 1} # }", "1:1 python-syntax", {Code::kLiteralBracketOpen, {"{"}}},
       {"{'a': ", "1:1 python-syntax", {Code::kLiteralBracketOpen, {"{"}}},

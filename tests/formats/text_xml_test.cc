@@ -173,7 +173,7 @@ TEST(TextXml, NestingHasALimit) {
 
 TEST(TextXml, TruncationsAreHarmless) { expect_truncations_are_harmless(kSample, "a.xml"); }
 
-// Never a wrong span: whatever a change makes of the file, the bytes at a scalar are its value, or the file is refused.
+// Never a wrong span: whatever a change turns the file into, the bytes at a scalar are its value, or the file is refused.
 TEST(TextXml, ChangedBytesAreHarmless) {
   std::mt19937 random(11);
   const std::string kOdd = "<>/&;\"'!-?=# \n\r\t\x80_a1.";

@@ -84,7 +84,7 @@ TEST(Vins, ScaramuzzasAffinePartIsTheOtherWayRound) {
   }
 }
 
-// What camodocal loads as zeros without a word, its judge refuses.
+// What camodocal loads as zeros without a word, its consumer refuses.
 TEST(Vins, TheProgramsSilenceIsARefusal) {
   const std::string bytes = good("vins", "mei-crlf.yaml");
   EXPECT_TRUE(program().load(bytes, {}).loads());
@@ -149,9 +149,9 @@ TEST(Vins, AnotherModelTakesTheOldOnesPlace) {
       EXPECT_NE(bytes.find("mask: none"), std::string::npos);
       EXPECT_TRUE(program().load(bytes, {}).loads()) << bytes;
       Rig fresh = rig;
-      std::string anew;
-      bytes_of(written_by(vins(), nullptr, fresh), anew);
-      EXPECT_EQ(with_replaced(with_replaced(bytes, "# kept\n", ""), "mask: none\n", ""), anew);
+      std::string rewritten;
+      bytes_of(written_by(vins(), nullptr, fresh), rewritten);
+      EXPECT_EQ(with_replaced(with_replaced(bytes, "# kept\n", ""), "mask: none\n", ""), rewritten);
     }
   }
 }

@@ -127,16 +127,17 @@ TEST(YamlAnchors, AValueIsNotSetWhereOthersShareIt) {
   EXPECT_TRUE(has(diagnostics, Code::kYamlCopiesNotEdited));
 }
 
-TEST(YamlAnchors, NothingIsMendedWhereValuesAreShared) {
-  // An int where Kalibr wants a real number: mended in a file without aliases.
+TEST(YamlAnchors, NothingIsFixedWhereValuesAreShared) {
+  // An int where Kalibr wants a real number: fixed in a file without aliases.
   const std::string bytes = with_replaced(kAnchored, "461.5", "461");
-  EXPECT_TRUE(mended({"file.yaml", with_replaced(kWrittenOut,
-                                                 "intrinsics: [461.5, 460.25, 366.25, 249.0]\n  distortion_coeffs: "
-                                                 "[-0.0125, 0.0575, -0.085, 0.0435]\n  rostopic: /cam0",
-                                                 "intrinsics: [461, 460.25, 366.25, 249.0]\n  distortion_coeffs: [-0.0125, "
-                                                 "0.0575, -0.085, 0.0435]\n  rostopic: /cam0")},
-                     {}));
-  EXPECT_FALSE(mended({"file.yaml", bytes}, {}));
+  EXPECT_TRUE(
+      fixed_source({"file.yaml", with_replaced(kWrittenOut,
+                                               "intrinsics: [461.5, 460.25, 366.25, 249.0]\n  distortion_coeffs: "
+                                               "[-0.0125, 0.0575, -0.085, 0.0435]\n  rostopic: /cam0",
+                                               "intrinsics: [461, 460.25, 366.25, 249.0]\n  distortion_coeffs: [-0.0125, "
+                                               "0.0575, -0.085, 0.0435]\n  rostopic: /cam0")},
+                   {}));
+  EXPECT_FALSE(fixed_source({"file.yaml", bytes}, {}));
 }
 
 TEST(YamlAnchors, CopiesOfALongTextEnd) {

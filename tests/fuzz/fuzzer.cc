@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer's side. FCA_FUZZ_ENTRY names the entry: libFuzzer starts itself anew for some of its modes, and a variable goes
+// libFuzzer's side. FCA_FUZZ_ENTRY names the entry: libFuzzer starts itself again for some of its modes, and a variable goes
 // with it.
 #include "entries.h"
 

@@ -25,7 +25,7 @@ namespace {
 /// Models are fitted with fewer samples than people get: the paths are the same.
 constexpr int kSamples = 40;
 
-class Judge {
+class Checker {
  public:
   void expect(bool kept, const std::string& promise) {
     if (!kept) complaints_.push_back(promise);
@@ -43,14 +43,14 @@ class Judge {
 };
 
 // Recursive, but no deeper than text::kMaxDepth.
-void expect_places(const text::Node& node, const text::Span& around, Judge& judge) {
+void expect_places(const text::Node& node, const text::Span& around, Checker& checker) {
   const bool inside = node.span.offset >= around.offset && node.span.end() <= around.end();
-  judge.expect(inside, "a node at byte " + std::to_string(node.span.offset) + " lies outside what holds it");
+  checker.expect(inside, "a node at byte " + std::to_string(node.span.offset) + " lies outside what holds it");
   if (!inside) return;
-  for (const text::Node& item : node.items) expect_places(item, node.span, judge);
+  for (const text::Node& item : node.items) expect_places(item, node.span, checker);
   for (const text::Entry& entry : node.entries) {
-    expect_places(entry.key, around, judge);
-    expect_places(entry.value, around, judge);
+    expect_places(entry.key, around, checker);
+    expect_places(entry.value, around, checker);
   }
 }
 
@@ -95,42 +95,42 @@ ConvertOptions options_for(const StoredModel& stored) {
 }
 
 void expect_cameras(const Rig& rig, const std::vector<std::string>& names, const Rig& back, const std::string& step,
-                    Judge& judge) {
-  judge.expect(back.cameras.size() == names.size(), step + ": " + std::to_string(names.size()) + " cameras are written and " +
-                                                        std::to_string(back.cameras.size()) + " are read");
+                    Checker& checker) {
+  checker.expect(back.cameras.size() == names.size(), step + ": " + std::to_string(names.size()) + " cameras are written and " +
+                                                          std::to_string(back.cameras.size()) + " are read");
   if (back.cameras.size() != names.size()) return;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Camera* meant = rig.find_camera(names[i]);
-    judge.expect(meant != nullptr, step + ": a file holds a camera '" + names[i] + "' that nobody has");
+    checker.expect(meant != nullptr, step + ": a file holds a camera '" + names[i] + "' that nobody has");
     if (meant == nullptr) continue;
     const Camera& read = back.cameras[i];
-    judge.expect(same_lens(meant->model, read.model), step + ": the lens of " + names[i] + " is " + in_words(meant->model) +
-                                                          " and is read as " + in_words(read.model));
-    judge.expect(!read.image_size || !meant->image_size || read.image_size == meant->image_size,
-                 step + ": " + names[i] + " has another image size");
+    checker.expect(same_lens(meant->model, read.model), step + ": the lens of " + names[i] + " is " + in_words(meant->model) +
+                                                            " and is read as " + in_words(read.model));
+    checker.expect(!read.image_size || !meant->image_size || read.image_size == meant->image_size,
+                   step + ": " + names[i] + " has another image size");
   }
 }
 
-void expect_written(const Format& format, const Rig& rig, const std::string& step, Judge& judge) {
+void expect_written(const Format& format, const Rig& rig, const std::string& step, Checker& checker) {
   Diagnostics diagnostics;
   const std::optional<Written> written = write_calibration(format, nullptr, rig, {}, diagnostics);
-  judge.expect_reason(written.has_value(), diagnostics, step);
+  checker.expect_reason(written.has_value(), diagnostics, step);
   if (!written) return;
-  judge.expect(!written->files.empty(), step + " gives no file");
+  checker.expect(!written->files.empty(), step + " gives no file");
   for (const Written::File& file : written->files) {
     const std::string& name = file.document.source().name;
-    judge.expect(name.find('/') == std::string::npos && name.find('\0') == std::string::npos && !name.starts_with('.'),
-                 step + " names a file that leads elsewhere");
+    checker.expect(name.find('/') == std::string::npos && name.find('\0') == std::string::npos && !name.starts_with('.'),
+                   step + " names a file that leads elsewhere");
     Diagnostics as_text;
     const std::optional<text::Document> parsed = text::parse_document({name, file.document.bytes()}, as_text);
-    judge.expect(parsed.has_value(), step + ": what is written is no document: " +
-                                         (as_text.entries().empty() ? "" : message_of(as_text.entries().front())));
+    checker.expect(parsed.has_value(), step + ": what is written is no document: " +
+                                           (as_text.entries().empty() ? "" : message_of(as_text.entries().front())));
     if (!parsed || file.cameras.empty()) continue;
     ReadOptions options;
     options.opencv_model = written->opencv_model;
     const std::optional<Rig> back = read_back(format, file, options);
-    judge.expect(back.has_value(), step + ": what is written is not read:\n" + file.document.bytes());
-    if (back) expect_cameras(rig, file.cameras, *back, step, judge);
+    checker.expect(back.has_value(), step + ": what is written is not read:\n" + file.document.bytes());
+    if (back) expect_cameras(rig, file.cameras, *back, step, checker);
   }
 }
 
@@ -140,31 +140,31 @@ const Format& other_format(const Format& own, std::string_view bytes) {
   return formats[at].id == own.id ? formats[(at + 1) % formats.size()] : formats[at];
 }
 
-void expect_rewritten(const Format& format, const text::Document& document, const Rig& rig, Judge& judge) {
+void expect_rewritten(const Format& format, const text::Document& document, const Rig& rig, Checker& checker) {
   Diagnostics diagnostics;
   const std::optional<Written> written = write_calibration(format, &document, rig, {}, diagnostics);
-  judge.expect_reason(written.has_value(), diagnostics, "the edit that changes nothing");
+  checker.expect_reason(written.has_value(), diagnostics, "the edit that changes nothing");
   if (!written) return;
-  // A polynomial that no longer fits the other one is fitted anew, and said.
+  // A polynomial that no longer fits the other one is fitted again, and said.
   if (!written->defaults.empty() || !written->losses.empty()) return;
   const std::string bytes = written->files.empty() ? "" : written->files.front().document.bytes();
   const auto differ = std::ranges::mismatch(bytes, document.source().bytes);
   const std::string from(differ.in1, bytes.end());
-  judge.expect(bytes == document.source().bytes, "an edit that changes nothing writes '" + from.substr(0, 60) + "' at byte " +
-                                                     std::to_string(differ.in1 - bytes.begin()));
+  checker.expect(bytes == document.source().bytes, "an edit that changes nothing writes '" + from.substr(0, 60) + "' at byte " +
+                                                       std::to_string(differ.in1 - bytes.begin()));
 }
 
-void expect_checked(const Format* format, const text::Source& source, Judge& judge) {
+void expect_checked(const Format* format, const text::Source& source, Checker& checker) {
   CheckOptions options;
   options.from = format;
   const CheckReport report = check_file(source, options);
   for (const Finding& finding : report.findings) {
-    judge.expect(find_check_code(id_of(finding)) != nullptr, "the finding " + id_of(finding) + " has no story");
-    judge.expect(finding.where.offset + finding.where.length <= source.bytes.size(),
-                 "the finding " + id_of(finding) + " lies outside the file");
+    checker.expect(find_check_code(id_of(finding)) != nullptr, "the finding " + id_of(finding) + " has no story");
+    checker.expect(finding.where.offset + finding.where.length <= source.bytes.size(),
+                   "the finding " + id_of(finding) + " lies outside the file");
   }
-  const std::optional<text::Source> mend = mended(source, options);
-  judge.expect(!mend || mend->bytes != source.bytes, "a mend that changes nothing");
+  const std::optional<text::Source> fixed = fixed_source(source, options);
+  checker.expect(!fixed || fixed->bytes != source.bytes, "a fix that changes nothing");
 }
 
 /// A conversion needs the size of the image; as --size says it of files that do not.
@@ -177,7 +177,7 @@ Rig sized(Rig rig) {
 
 Complaints parse_promises(text::Syntax syntax, std::string_view bytes) {
   const text::Source source = {"fuzz", std::string(bytes)};
-  Judge judge;
+  Checker checker;
   Diagnostics diagnostics;
   std::optional<text::Node> root;
   switch (syntax) {
@@ -201,9 +201,9 @@ Complaints parse_promises(text::Syntax syntax, std::string_view bytes) {
       root = text::parse_binary(source, diagnostics);
       break;
   }
-  judge.expect_reason(root.has_value(), diagnostics, "the text");
-  if (root) expect_places(*root, {0, bytes.size()}, judge);
-  return std::move(judge).complaints();
+  checker.expect_reason(root.has_value(), diagnostics, "the text");
+  if (root) expect_places(*root, {0, bytes.size()}, checker);
+  return std::move(checker).complaints();
 }
 
 std::optional<Rig> as_stored(const Format& format, Rig rig, Complaints& complaints) {
@@ -234,35 +234,35 @@ Complaints write_promises(const Format& format, const Rig& rig) {
   Complaints complaints;
   const std::optional<Rig> stored = as_stored(format, rig, complaints);
   if (!stored) return complaints;
-  Judge judge;
-  expect_written(format, *stored, "writing " + std::string(format.id), judge);
-  for (const std::string& complaint : std::move(judge).complaints()) complaints.push_back(complaint);
+  Checker checker;
+  expect_written(format, *stored, "writing " + std::string(format.id), checker);
+  for (const std::string& complaint : std::move(checker).complaints()) complaints.push_back(complaint);
   return complaints;
 }
 
 Complaints read_promises(const Format* format, std::string_view bytes, const std::string& name, Depth depth) {
-  Judge judge;
+  Checker checker;
   const text::Source source = {name, std::string(bytes)};
-  if (depth == Depth::kChecked) expect_checked(format, source, judge);
+  if (depth == Depth::kChecked) expect_checked(format, source, checker);
   Diagnostics diagnostics;
   const std::optional<text::Document> document = text::parse_document(source, diagnostics);
-  judge.expect_reason(document.has_value(), diagnostics, "the text");
-  if (!document) return std::move(judge).complaints();
-  judge.expect(document->bytes() == bytes, "parsing changes bytes");
+  checker.expect_reason(document.has_value(), diagnostics, "the text");
+  if (!document) return std::move(checker).complaints();
+  checker.expect(document->bytes() == bytes, "parsing changes bytes");
 
   const std::optional<Calibration> calibration = read_calibration({*document}, format, {}, diagnostics);
-  judge.expect_reason(calibration.has_value(), diagnostics, "the calibration");
-  if (!calibration) return std::move(judge).complaints();
-  judge.expect(!diagnostics.has_errors(), "a calibration is read in spite of an error");
+  checker.expect_reason(calibration.has_value(), diagnostics, "the calibration");
+  if (!calibration) return std::move(checker).complaints();
+  checker.expect(!diagnostics.has_errors(), "a calibration is read in spite of an error");
 
   const Format& own = *calibration->format;
-  if (own.is_written()) expect_rewritten(own, *document, calibration->rig, judge);
-  if (depth == Depth::kRead) return std::move(judge).complaints();
+  if (own.is_written()) expect_rewritten(own, *document, calibration->rig, checker);
+  if (depth == Depth::kRead) return std::move(checker).complaints();
   for (const Format* target : {&own, &other_format(own, bytes)}) {
     if (!target->is_written()) continue;
-    for (const std::string& complaint : write_promises(*target, sized(calibration->rig))) judge.expect(false, complaint);
+    for (const std::string& complaint : write_promises(*target, sized(calibration->rig))) checker.expect(false, complaint);
   }
-  return std::move(judge).complaints();
+  return std::move(checker).complaints();
 }
 
 }  // namespace fca::fuzz

@@ -17,8 +17,8 @@ using Complaints = std::vector<std::string>;
 /// How much is asked of bytes that are read.
 enum class Depth {
   kRead,       ///< Written back.
-  kRoundTrip,  ///< Also anew, and for one other program.
-  kChecked,    ///< Also checked and mended, which asks the programs.
+  kRoundTrip,  ///< Also rewritten, and for one other program.
+  kChecked,    ///< Also checked and fixed, which asks the programs.
 };
 
 /// The syntax's parser: it refuses with a reason, or every place of its tree lies inside the bytes, parents around children.
@@ -26,7 +26,7 @@ enum class Depth {
 
 /// Read as that format (null: detected), then:
 /// - written into itself not a byte changes;
-/// - written anew, and for another program (which one depends on the bytes), with the models that takes, the result is read and
+/// - rewritten, and for another program (which one depends on the bytes), with the models that takes, the result is read and
 ///   holds the same cameras: names, image sizes and, up to the digits that files have, parameters;
 /// - whatever is refused has an error that says why.
 [[nodiscard]] Complaints read_promises(const Format* format, std::string_view bytes, const std::string& name, Depth depth);

@@ -99,7 +99,7 @@ class Mutated : public testing::TestWithParam<fs::path> {
     leaves_ = leaves_of(document_);
   }
 
-  void judge(const Mutation& mutation) {
+  void evaluate(const Mutation& mutation) {
     for (const std::string& complaint : fuzz::read_promises(nullptr, mutation.bytes, name_, fuzz::Depth::kRoundTrip))
       ADD_FAILURE() << mutation.what << ": " << complaint << "\n" << mutation.bytes;
     Parsed parsed = parse(mutation.bytes, name_);
@@ -133,7 +133,7 @@ class Mutated : public testing::TestWithParam<fs::path> {
 TEST_P(Mutated, KeepsItsPromisesAndItsMeaning) {
   std::mt19937 random(static_cast<std::mt19937::result_type>(bytes_.size()));
   for (int i = 0; i < mutations(); ++i) {
-    judge(i % 2 == 0 ? mutated_structure(document_, random) : Mutation{"a ruin", ruined(bytes_, random)});
+    evaluate(i % 2 == 0 ? mutated_structure(document_, random) : Mutation{"a ruin", ruined(bytes_, random)});
   }
 }
 

@@ -57,7 +57,7 @@ std::vector<fca::Camera> nonsense() {
 void append(const std::optional<fca::Conversion>& conversion, std::vector<std::uint64_t>& bits) {
   bits.push_back(conversion ? 1 : 0);
   if (!conversion) return;
-  const fca::ErrorSummary& error = conversion->report.judgement.error;
+  const fca::ErrorSummary& error = conversion->report.statistics.error;
   for (const double value : fca::parameter_values(conversion->camera.model))
     bits.push_back(std::bit_cast<std::uint64_t>(value));
   for (const double value : {error.rms, error.max, error.p50, error.max_at[0], error.max_at[1]}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// consumer-pixels PROGRAM FILE [SENSOR] [pinhole|fisheye]: what our reader that imitates a program makes of a file, as JSON,
+// consumer-pixels PROGRAM FILE [SENSOR] [pinhole|fisheye]: what our reader that imitates a program reads from a file, as JSON,
 // for tests/programs, which ask the program itself. Standard input: a line "r x y z" for each ray, "p u v" for each pixel.
 //
 // {"loads", "refusals": [sentence...], "tolerance_px", "cameras": [{"name", "width", "height", "misread", "approximation_px",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ros-pixels FILE [RIGHT]: what ROS itself makes of a camera_info. camera_calibration_parsers reads the file, and
+// ros-pixels FILE [RIGHT]: what ROS itself reads from a camera_info. camera_calibration_parsers reads the file, and
 // image_geometry gives the pixel of each ray "x y z" of standard input, a line each: "u v" with all digits. Exits with 1 where
 // ROS refuses.
 //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// yaml-json FILE: what yaml-cpp itself makes of a file, as JSON for tests/programs: maps, lists, and scalars that are numbers
+// yaml-json FILE: what yaml-cpp itself reads from a file, as JSON for tests/programs: maps, lists, and scalars that are numbers
 // to yaml-cpp (as<double>) or else words. Exits with 1 where yaml-cpp refuses.
 #include <yaml-cpp/yaml.h>
 

@@ -17,14 +17,14 @@ namespace fca::cli {
 
 namespace {
 
-/// Makes the certain mends: shows them, writes them if asked to, and goes on with the mended text.
+/// Makes the certain fixes: shows them, writes them if asked to, and goes on with the fixed text.
 ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& console) {
   const std::optional<text::Source> better = with_fixes(arguments.request, source);
   if (!better) return ExitCode::kGood;
   console.say(source.name + ": " + (arguments.write ? "fixed" : "would be fixed (--write does it)") + "\n" +
               line_diff(source.bytes, better->bytes));
   source = *better;
-  if (!arguments.write) return ExitCode::kJudgedBad;  // as the file is
+  if (!arguments.write) return ExitCode::kRejected;  // as the file is
   const OutputFile output{source.name, source.bytes};
   remove_leftovers(std::filesystem::path(source.name).parent_path().string());
   const std::optional<Message> problem = put_files(std::span(&output, 1), true, console);
@@ -37,7 +37,7 @@ ExitCode code_of(const CheckReport& report, const CheckArguments& arguments) {
   if (!report.is_calibration) return ExitCode::kBadInput;
   const bool bad = report.verdict.word == VerdictWord::kDoNotUse || report.has(Severity::kError) ||
                    (arguments.fail_on_warnings && report.has(Severity::kWarning));
-  return bad ? ExitCode::kJudgedBad : ExitCode::kGood;
+  return bad ? ExitCode::kRejected : ExitCode::kGood;
 }
 
 /// The report of a file that could not be opened.
@@ -77,7 +77,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   const bool for_people = !arguments.json && !arguments.sarif;
   ExitCode exit_code = ExitCode::kGood;
   CheckedFiles all;
-  bool is_first_told = true;
+  bool is_first = true;
   if (const std::optional<std::string> problem = problem_with_patterns(arguments.files))
     return console.refuse(ExitCode::kIo, *problem);
   std::vector<FoundFile> files = walk(arguments.files);
@@ -111,9 +111,10 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
     const CheckDetail detail = arguments.quiet     ? CheckDetail::kFindings
                                : arguments.verbose ? CheckDetail::kEverything
                                                    : CheckDetail::kUsual;
-    const std::string text = (is_first_told ? "" : "\n") + check_text(all.files.back(), detail);
-    is_first_told = false;
-    all.files.back().report.is_calibration ? console.say(text, all.files.back().report.verdict.word) : console.say_aside(text);
+    const std::string text = (is_first ? "" : "\n") + check_text(all.files.back(), detail);
+    is_first = false;
+    all.files.back().report.is_calibration ? console.say(text, all.files.back().report.verdict.word)
+                                           : console.print_stderr(text);
   }
   if (all.files.empty()) {
     console.error("no calibration in " + enumerated(arguments.files) + " (" + std::to_string(all.skipped.size()) +
@@ -122,7 +123,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   }
   if (for_people) {
     const std::string summary = check_summary(all);
-    console.say(summary.empty() || is_first_told ? summary : "\n" + summary);
+    console.say(summary.empty() || is_first ? summary : "\n" + summary);
   }
   if (arguments.json) console.out(check_json(all, console));
   if (arguments.sarif) console.out(check_sarif(all));

@@ -23,7 +23,7 @@ std::string marked(char mark, std::string_view line) { return std::string(1, mar
 
 }  // namespace
 
-// Mends replace spellings within lines and add a line or two: walking both texts in step, and looking a few lines ahead where
+// Fixes replace spellings within lines and add a line or two: walking both texts in step, and looking a few lines ahead where
 // they differ, finds them all.
 std::string line_diff(std::string_view before, std::string_view after) {
   const std::vector<std::string_view> a = lines_of(before);

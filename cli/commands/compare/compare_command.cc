@@ -31,7 +31,7 @@ ExitCode write_page(const CompareArguments& arguments, const TypedOptions& typed
     console.error(text::text_of(*failure, with_options));
     return ExitCode::kIo;
   }
-  arguments.json ? console.say_aside("wrote " + file.path + "\n") : console.say("wrote " + file.path + "\n");
+  arguments.json ? console.print_stderr("wrote " + file.path + "\n") : console.say("wrote " + file.path + "\n");
   return ExitCode::kGood;
 }
 
@@ -51,7 +51,7 @@ ExitCode run_compare(const CompareArguments& arguments, const TypedOptions& type
       const bool some = compared.comparison && (compared.status <= Status::kRejected || !compared.comparison->cameras.empty());
       if (some) console.say((files.size() > 1 ? "\n" : "") + compare_text(reference, compared, arguments.verbose));
       console.show(compared.diagnostics);
-      if (!some) console.say_aside("verdict: " + file + ": " + verdict_of(compared) + "\n");
+      if (!some) console.print_stderr("verdict: " + file + ": " + verdict_of(compared) + "\n");
     }
     code = worse(code, write_page(arguments, typed, reference, compared, console));
   }

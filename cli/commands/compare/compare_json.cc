@@ -3,9 +3,9 @@
 #include "shell/diagnostics_json.h"
 #include "shell/difference_words.h"
 #include "shell/json.h"
-#include "shell/judgement_json.h"
 #include "shell/option_hints.h"
 #include "shell/pair_json.h"
+#include "shell/statistics_json.h"
 #include "shell/words.h"
 
 #include <fca/toolkit/format_name.h>
@@ -22,32 +22,32 @@ std::array<double, 2> pair_of(const ImageSize& size) {
 }
 
 /// Distances that no image holds are as good as infinite: null.
-void remove_beyond(const ImageSize& image, Judgement& judgement) {
+void remove_beyond(const ImageSize& image, ErrorStatistics& statistics) {
   const auto remove = [most = std::hypot(image.width, image.height)](double& px) {
     if (px > most) px = std::numeric_limits<double>::infinity();
   };
-  ErrorSummary& error = judgement.error;
+  ErrorSummary& error = statistics.error;
   for (double* px : {&error.rms, &error.mean, &error.p50, &error.p95, &error.p99, &error.max, &error.bound}) remove(*px);
-  for (ErrorBand& band : judgement.bands) {
+  for (ErrorBand& band : statistics.bands) {
     remove(band.rms_px);
     remove(band.max_px);
   }
 }
 
 void put_difference(Json& json, CameraDifference difference, const ImageSize& image, bool identical) {
-  remove_beyond(image, difference.judgement);
-  if (!identical && !(difference.judgement.coverage.scored > 0.0)) {  // no pixel has a ray in both
+  remove_beyond(image, difference.statistics);
+  if (!identical && !(difference.statistics.coverage.scored > 0.0)) {  // no pixel has a ray in both
     for (const char* key : {"error_px", "error_deg", "bands", "same_to_deg"}) json.null(key);
     return;
   }
-  put_error(json, difference.judgement.error);
+  put_error(json, difference.statistics.error);
   json.object("error_deg", [&] {
     json.put("rms", difference.angle.rms_deg);
     json.put("max", difference.angle.max_deg);
     json.put("max_at", std::span<const double>(difference.angle.max_at));
   });
   std::size_t i = 0;
-  json.array("bands", difference.judgement.bands, [&](const ErrorBand& band) {
+  json.array("bands", difference.statistics.bands, [&](const ErrorBand& band) {
     json.object([&] {
       put_band(json, band);
       const bool known = i < difference.angle.bands.size();
@@ -89,7 +89,7 @@ void put_camera(Json& json, const CameraComparison& camera) {
     });
   });
   json.put("identical", camera.identical);
-  put_domain(json, camera.difference.judgement.coverage, camera.scored_to_deg);
+  put_field_of_view(json, camera.difference.statistics.coverage, camera.scored_to_deg);
   put_difference(json, camera.difference, camera.size, camera.identical);
   put_focus(json, camera);
   if (!camera.rotated) {
@@ -114,7 +114,7 @@ void put_camera(Json& json, const CameraComparison& camera) {
 
 /// Is there nothing that differs, or that only one of them says?
 bool is_identical(const ComparedFile& compared) {
-  return compared.comparison && exit_code(compared.status) <= ExitCode::kJudgedBad && compared.comparison->identical() &&
+  return compared.comparison && exit_code(compared.status) <= ExitCode::kRejected && compared.comparison->identical() &&
          !inverses_differ(compared) && compared.comparison->only_in_reference.empty() &&
          compared.comparison->only_in_other.empty();
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare_command.h"
 #include "shell/difference_words.h"
-#include "shell/judgement_text.h"
 #include "shell/option_hints.h"
+#include "shell/statistics_text.h"
 #include "shell/words.h"
 
 #include <fca/formats/text/message.h>
@@ -16,7 +16,7 @@ namespace fca::cli {
 
 std::string same_in_words(const CameraDifference& difference) {
   const std::string limit = "within " + text::format_short(kSamePx) + " px";
-  if (difference.same_to_deg >= difference.judgement.coverage.max_angle_deg)
+  if (difference.same_to_deg >= difference.statistics.coverage.max_angle_deg)
     return "the same camera everywhere (" + limit + ")";
   constexpr double kSmall = 0.1;
   if (difference.same_to_deg < kSmall)
@@ -27,7 +27,7 @@ std::string same_in_words(const CameraDifference& difference) {
 bool turning_helps(const CameraComparison& camera) {
   constexpr double kHelps = 0.9;
   const CameraDifference* rotated = camera.counted_rotated();
-  return rotated != nullptr && rotated->judgement.error.rms < kHelps * camera.counted().judgement.error.rms;
+  return rotated != nullptr && rotated->statistics.error.rms < kHelps * camera.counted().statistics.error.rms;
 }
 
 namespace {
@@ -43,21 +43,21 @@ std::string focus_text(const CameraComparison& camera) {
   if (!camera.focus) return "";
   const CameraDifference& difference = camera.focus->difference;
   return "  focus:  up to " + fixed(camera.focus->max_angle_deg, 1) +
-         " deg from the axis: " + error_text(difference.judgement, camera.size) + "\n          rms " +
+         " deg from the axis: " + error_text(difference.statistics, camera.size) + "\n          rms " +
          pixels(difference.angle.rms_deg) + " deg, max " + pixels(difference.angle.max_deg) + " deg\n";
 }
 
 std::string turned_text(const CameraComparison& camera) {
   if (!camera.rotated) return "";
-  const bool same = camera.counted().same_to_deg >= camera.counted().judgement.coverage.max_angle_deg;
+  const bool same = camera.counted().same_to_deg >= camera.counted().statistics.coverage.max_angle_deg;
   const CameraDifference& turned = *camera.counted_rotated();
-  if (is_larger_than(turned.judgement, camera.size)) return "";
+  if (is_larger_than(turned.statistics, camera.size)) return "";
   if (!turning_helps(camera)) return same ? "" : "  turned: no rotation reduces the difference\n";
   std::string text = "  turned: by " + rotation_in_words(*camera.rotated) + "\n          with that undone: rms " +
-                     pixels(turned.judgement.error.rms, camera.size) + " px (the smallest), max " +
-                     pixels(turned.judgement.error.max, camera.size) + " px; " + same_in_words(turned) + "\n";
+                     pixels(turned.statistics.error.rms, camera.size) + " px (the smallest), max " +
+                     pixels(turned.statistics.error.max, camera.size) + " px; " + same_in_words(turned) + "\n";
   if (camera.focus) {
-    const ErrorSummary& everywhere = camera.rotated->difference.judgement.error;
+    const ErrorSummary& everywhere = camera.rotated->difference.statistics.error;
     text += "          everywhere: rms " + pixels(everywhere.rms, camera.size) + " px, max " +
             pixels(everywhere.max, camera.size) + " px\n";
   }
@@ -73,7 +73,7 @@ std::vector<BandColumn> further_columns(const CameraComparison& camera) {
   if (!turning_helps(camera)) return columns;
   columns.push_back({"turned rms", {}});
   columns.push_back({"max px", {}});
-  for (const ErrorBand& band : camera.rotated->difference.judgement.bands) {
+  for (const ErrorBand& band : camera.rotated->difference.statistics.bands) {
     columns[2].values.push_back(band.rms_px);
     columns[3].values.push_back(band.max_px);
   }
@@ -81,18 +81,18 @@ std::vector<BandColumn> further_columns(const CameraComparison& camera) {
 }
 
 /// A file cannot tell black corners from glass, and what lies there drowns the rest.
-std::string corners_text(const Judgement& judgement) {
+std::string corners_text(const ErrorStatistics& statistics) {
   constexpr double kWide = 80.0;
   constexpr double kMostOfIt = 0.1;
   double inside = 0.0;
   double to_deg = 0.0;
-  for (const ErrorBand& band : judgement.bands) {
+  for (const ErrorBand& band : statistics.bands) {
     inside = std::max(inside, band.max_px);
-    if (inside > kMostOfIt * judgement.error.max) break;
+    if (inside > kMostOfIt * statistics.error.max) break;
     to_deg = band.to_deg;
   }
-  if (judgement.coverage.circle || to_deg < kWide || to_deg >= judgement.coverage.max_angle_deg ||
-      judgement.error.max <= kSamePx)
+  if (statistics.coverage.circle || to_deg < kWide || to_deg >= statistics.coverage.max_angle_deg ||
+      statistics.error.max <= kSamePx)
     return "";
   const std::string limit = fixed(to_deg, 0);
   return "  if the corners are black beyond " + limit + " deg, --max-angle " + limit + " compares only the lens\n";
@@ -102,16 +102,16 @@ std::string camera_text(const CameraComparison& camera, bool with_bands) {
   if (camera.identical) return "";
   std::string text = heading(camera);
   const CameraDifference& difference = camera.difference;
-  const Judgement& judgement = difference.judgement;
-  text += domain_text(judgement.coverage);
-  text += "          " + coverage_text(judgement.coverage, camera.scored_to_deg) + "\n";
-  if (!(judgement.coverage.scored > 0.0)) return text;
-  text += "  error:  " + error_text(judgement, camera.size) + "\n";
+  const ErrorStatistics& statistics = difference.statistics;
+  text += field_of_view_text(statistics.coverage);
+  text += "          " + coverage_text(statistics.coverage, camera.scored_to_deg) + "\n";
+  if (!(statistics.coverage.scored > 0.0)) return text;
+  text += "  error:  " + error_text(statistics, camera.size) + "\n";
   text += "          rms " + pixels(difference.angle.rms_deg) + " deg, max " + pixels(difference.angle.max_deg) + " deg\n";
   text += "          " + same_in_words(difference) + "\n";
   text += focus_text(camera) + turned_text(camera);
-  if (with_bands) text += band_table(judgement.bands, further_columns(camera), camera.size);
-  return text + corners_text(judgement);
+  if (with_bands) text += band_table(statistics.bands, further_columns(camera), camera.size);
+  return text + corners_text(statistics);
 }
 
 /// Nothing of two that are alike.

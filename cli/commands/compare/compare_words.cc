@@ -24,28 +24,28 @@ std::string in_tenths(double degrees) { return fixed(degrees, 1) + " deg"; }
 
 bool same(const CameraComparison& camera) {
   const CameraDifference& difference = camera.decisive();
-  return camera.identical || difference.same_to_deg >= difference.judgement.coverage.max_angle_deg;
+  return camera.identical || difference.same_to_deg >= difference.statistics.coverage.max_angle_deg;
 }
 
 /// "the cameras are the same (within 0.12 px)"
 std::string same_cameras(const std::vector<CameraComparison>& cameras) {
   double worst = 0.0;
-  for (const CameraComparison& camera : cameras) worst = std::max(worst, camera.decisive().judgement.error.max);
+  for (const CameraComparison& camera : cameras) worst = std::max(worst, camera.decisive().statistics.error.max);
   const std::string what = cameras.size() == 1 ? "the same camera" : "the same cameras";
   return worst == 0.0 ? what : what + ", within " + pixels(worst) + " px";
 }
 
 /// ", and has no pixel for 3 % of the image"; empty where nobody notices.
-std::string lost_in_words(const Judgement& judgement) {
+std::string lost_in_words(const ErrorStatistics& statistics) {
   constexpr double kNoticeable = 5e-4;
-  const double lost = judgement.coverage.unrepresentable;
+  const double lost = statistics.coverage.unrepresentable;
   return lost > kNoticeable ? ", and has no pixel for " + percent(lost) + " of the image" : "";
 }
 
 /// "cam0 is up to 4.2 px off"
 std::string different_camera(const CameraComparison& camera) {
   const CameraDifference& difference = camera.counted();
-  if (!(difference.judgement.coverage.scored > 0.0)) return camera.other + " shares no ray with the reference's";
+  if (!(difference.statistics.coverage.scored > 0.0)) return camera.other + " shares no ray with the reference's";
   constexpr double kNoticeable = 1.0;
   std::string text = camera.other + " ";
   if (difference.same_to_deg >= kNoticeable) {
@@ -53,15 +53,15 @@ std::string different_camera(const CameraComparison& camera) {
   } else {
     text += "is ";
   }
-  const std::string most = pixels(difference.judgement.error.max, camera.size);
-  const bool is_held = difference.judgement.error.max <= std::hypot(camera.size.width, camera.size.height);
+  const std::string most = pixels(difference.statistics.error.max, camera.size);
+  const bool is_held = difference.statistics.error.max <= std::hypot(camera.size.width, camera.size.height);
   text += (is_held ? "up to " : "") + most + " px off";
-  text += lost_in_words(difference.judgement);
+  text += lost_in_words(difference.statistics);
   const CameraDifference* rotated = camera.counted_rotated();
   if (rotated == nullptr) return text;
   // The best rotation makes the rms smallest; the largest error may grow by it.
-  const double before = difference.judgement.error.rms;
-  const double after = rotated->judgement.error.rms;
+  const double before = difference.statistics.error.rms;
+  const double after = rotated->statistics.error.rms;
   constexpr double kExplains = 0.5;
   if (after < kExplains * before) {
     text += ", rms " + pixels(before, camera.size) + " (" + pixels(after, camera.size) + " with a turn of " +
@@ -87,7 +87,7 @@ bool is_real(const FactComparison& fact) { return fact.apart() >= kRounding; }
 /// Does anything differ by more than rounding?
 bool any_is_real(const ComparedFile& compared) {
   const auto is_real_camera = [](const CameraComparison& camera) {
-    return !same(camera) || camera.decisive().judgement.error.max >= kRounding * kSamePx;
+    return !same(camera) || camera.decisive().statistics.error.max >= kRounding * kSamePx;
   };
   const RigComparison& comparison = *compared.comparison;
   return inverses_differ(compared) || std::ranges::any_of(comparison.cameras, is_real_camera) ||
@@ -216,12 +216,12 @@ std::string verdict_of(const ComparedFile& compared) {
 }
 
 std::string cancelled_turn_in_words(const CameraComparison& camera) {
-  const Judgement& judgement = camera.decisive().judgement;
-  const ErrorSummary& remains = judgement.error;
+  const ErrorStatistics& statistics = camera.decisive().statistics;
+  const ErrorSummary& remains = statistics.error;
   return camera.other + ": turned by " + angle_text(camera.rotated->angle_rad) +
          (camera.rotated->distance_m ? " and moved by " + length_text(distance_from_zero(camera.rotated->centre_m)) : "") +
          ", and its poses turn back: they cancel; " + pixels(remains.rms, camera.size) + " px rms remain" +
-         (remains.max > kSamePx ? " (at most " + pixels(remains.max, camera.size) + " px)" : "") + lost_in_words(judgement);
+         (remains.max > kSamePx ? " (at most " + pixels(remains.max, camera.size) + " px)" : "") + lost_in_words(statistics);
 }
 
 std::string rotation_in_words(const BestRotation& rotation) {

@@ -38,7 +38,7 @@ void BatchReport::add(const Finished& finished, bool is_reached) {
   if (!is_reached) row.result = "not written";
   table_.add(row);
   has_result_ = has_result_ || finished.has_result();
-  if (finished.is_judged) words_.add(finished.word);
+  if (finished.is_evaluated) words_.add(finished.word);
   const bool is_good = finished.code == ExitCode::kGood;
   const auto is_file = [](const OutputFile& file) { return !file.path.empty(); };
   if (is_good) ++good_;
@@ -57,7 +57,7 @@ void BatchReport::print(const Finished& finished) const {
     std::string report = convert_summary(*finished.whole, is_written, arguments_.verbosity == 0);
     if (arguments_.verbosity > 0) report += "\n" + convert_text(*finished.whole, is_written, arguments_.verbosity > 1);
     const bool is_file_on_stdout = arguments_.output.is_standard_output() && !arguments_.in_place && is_written;
-    is_file_on_stdout || arguments_.quiet ? console_.say_aside(report, finished.word) : console_.say(report, finished.word);
+    is_file_on_stdout || arguments_.quiet ? console_.print_stderr(report, finished.word) : console_.say(report, finished.word);
   }
   if (finished.whole && !arguments_.quiet && (arguments_.verbosity > 0 || !finished.has_result())) {
     const Diagnostics& diagnostics = finished.whole->diagnostics;
@@ -72,7 +72,7 @@ void BatchReport::end() {
   if (!arguments_.json) warn_of_unused();
   const bool are_several = batch_.converted() != 1 || batch_.skipped() > 0 || batch_.left() > 0;
   if (!are_several || arguments_.quiet) return;
-  const auto say = [this](std::string_view text) { arguments_.json ? console_.say_aside(text) : console_.say(text); };
+  const auto say = [this](std::string_view text) { arguments_.json ? console_.print_stderr(text) : console_.say(text); };
   say("\n");
   table_.print(say);
   say("\n" + last_line());

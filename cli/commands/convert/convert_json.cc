@@ -4,10 +4,10 @@
 #include "shell/base64.h"
 #include "shell/diagnostics_json.h"
 #include "shell/json.h"
-#include "shell/judgement_json.h"
 #include "shell/option_hints.h"
 #include "shell/pair_json.h"
 #include "shell/parameters_json.h"
+#include "shell/statistics_json.h"
 #include "shell/uncertainty_text.h"
 #include "shell/verdict_json.h"
 
@@ -24,10 +24,10 @@ namespace {
 
 void put_report(Json& json, const ConversionReport& report) {
   json.put("at_bound", std::span<const std::string>(report.at_bound));
-  put_domain(json, report.judgement.coverage, report.scored_to_deg);
-  put_error(json, report.judgement.error);
-  json.array("bands", report.judgement.bands, [&](const ErrorBand& band) { json.object([&] { put_band(json, band); }); });
-  json.array("reach", report.reach, [&](const ReachRow& row) {
+  put_field_of_view(json, report.statistics.coverage, report.scored_to_deg);
+  put_error(json, report.statistics.error);
+  json.array("bands", report.statistics.bands, [&](const ErrorBand& band) { json.object([&] { put_band(json, band); }); });
+  json.array("reach", report.max_angles, [&](const MaxAngleRow& row) {
     json.object([&] {
       json.put("max_angle_deg", row.max_angle_deg);
       json.put("scored_to_deg", row.scored_to_deg);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert_command.h"
-#include "shell/judgement_text.h"
 #include "shell/option_hints.h"
 #include "shell/program_words.h"
+#include "shell/statistics_text.h"
 #include "shell/uncertainty_text.h"
 #include "shell/verdict_text.h"
 #include "shell/words.h"
@@ -18,7 +18,7 @@ namespace fca::cli {
 namespace {
 
 /// " without k3": what the target has no place for, of a model that stays.
-std::string left_out_in_words(const ConvertedCamera& camera) {
+std::string removed_in_words(const ConvertedCamera& camera) {
   const std::span<const Parameter> parameters = model_info(camera.source.model).parameters;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -34,7 +34,7 @@ std::string models_in_words(const ConvertedCamera& camera) {
   const std::string from(camera.source.lens_id());
   const std::string to(camera.target.lens_id());
   if (from == to && camera.source.model == camera.target.model) return from;
-  if (from == to) return from + left_out_in_words(camera);
+  if (from == to) return from + removed_in_words(camera);
   const int degree = camera.report ? camera.report->degree : 0;
   return from + " -> " + to + (degree > 0 ? " of degree " + std::to_string(degree) : "");
 }
@@ -53,9 +53,9 @@ std::string camera_line(const ConvertedCamera& camera) {
 namespace {
 
 /// A file cannot tell black corners from glass, and the choice changes the error tenfold.
-std::string reach_text(const std::vector<ReachRow>& rows) {
+std::string max_angle_text(const std::vector<MaxAngleRow>& rows) {
   if (rows.empty()) return "";
-  const auto is_same = [&rows](const ReachRow& row) {
+  const auto is_same = [&rows](const MaxAngleRow& row) {
     return row.scored == rows.front().scored && row.rms_px == rows.front().rms_px;
   };
   if (rows.size() > 1 && std::ranges::all_of(rows, is_same))
@@ -64,7 +64,7 @@ std::string reach_text(const std::vector<ReachRow>& rows) {
   constexpr std::size_t kWidth = 12;
   std::string text = "  if the lens ends earlier and the corners are black, --max-angle DEG fits only the lens:\n    " +
                      padded("DEG", kWidth) + padded("share", kWidth) + padded("rms px", kWidth) + "max px\n";
-  for (const ReachRow& row : rows) {
+  for (const MaxAngleRow& row : rows) {
     text += "    " + padded(text::format_short(row.max_angle_deg, 4), kWidth) + padded(percent(row.scored), kWidth) +
             padded(pixels(row.rms_px), kWidth) + pixels(row.max_px) +
             (row.scored_to_deg < row.max_angle_deg - kNoticeable
@@ -94,7 +94,7 @@ std::string why_at_bound(const ConversionReport& report, const Format& to, const
 std::string objective_text(const ConversionReport& report) {
   if (!report.rms_fit) return "";
   if (report.rms_fit->kept) return "  objective max: nothing near the rms fit has a smaller worst pixel, so that is kept\n";
-  const ErrorSummary& error = report.judgement.error;
+  const ErrorSummary& error = report.statistics.error;
   return "  objective max: worst pixel " + pixels(report.rms_fit->max_px) + " -> " + pixels(error.max) + " px, rms " +
          pixels(report.rms_fit->rms_px) + " -> " + pixels(error.rms) + " px\n";
 }
@@ -108,15 +108,15 @@ std::string weight_text(const ConversionReport& report) {
 }
 
 std::string report_text(const ConversionReport& report, const Format& to, const CameraModel& target) {
-  const Judgement& j = report.judgement;
-  std::string text = domain_text(j.coverage);
+  const ErrorStatistics& j = report.statistics;
+  std::string text = field_of_view_text(j.coverage);
   text += "          " + coverage_text(j.coverage, report.scored_to_deg) + "\n";
   text += "  error:  " + error_text(j) + "\n";
   if (!report.exact) {
     text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) +
             ", 99 % " + pixels(j.error.p99) + "\n";
   }
-  text += weight_text(report) + objective_text(report) + band_table(j.bands) + reach_text(report.reach);
+  text += weight_text(report) + objective_text(report) + band_table(j.bands) + max_angle_text(report.max_angles);
   if (!report.at_bound.empty())
     text += "  at the edge of its range: " + enumerated(report.at_bound) + why_at_bound(report, to, target) + "\n";
   return text;
@@ -232,8 +232,8 @@ std::string convert_text(const ConvertOutcome& outcome, bool written, bool with_
     text += "\n" + name_in_words(camera) + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
     const bool kept = camera.source.model == camera.target.model;
     if (camera.report) {
-      text +=
-          kept ? domain_text(camera.report->judgement.coverage) : report_text(*camera.report, *outcome.to, camera.target.model);
+      text += kept ? field_of_view_text(camera.report->statistics.coverage)
+                   : report_text(*camera.report, *outcome.to, camera.target.model);
     }
     if (kept) text += "  error:  none: the same model and parameters\n";
     const std::string own = camera.report ? uncertainty_in_words(*camera.report) : "";

@@ -33,7 +33,7 @@ std::string largest(const ConvertOutcome& outcome, double ErrorSummary::*figure,
   double most = as_program_sees;
   for (const ConvertedCamera& camera : outcome.cameras) {
     if (as_program_sees == 0.0 && camera.report && !camera.report->exact)
-      most = std::max(most, camera.report->judgement.error.*figure);
+      most = std::max(most, camera.report->statistics.error.*figure);
   }
   constexpr double kNothingPx = 1e-4;
   return most < kNothingPx ? "0" : pixels(most);
@@ -54,7 +54,7 @@ std::string result(const ConvertOutcome& outcome) {
 template <class Bytes, class Values>
 void pass_fields(Bytes& bytes, Values& finished) {
   std::uint64_t files = finished.files.size();
-  bytes.pass(finished.input, finished.code, finished.is_judged, finished.word, finished.has_error, finished.errors,
+  bytes.pass(finished.input, finished.code, finished.is_evaluated, finished.word, finished.has_error, finished.errors,
              finished.json, files);
   bytes.pass(finished.row.models, finished.row.rms_px, finished.row.max_px, finished.row.result);
   if constexpr (!std::is_const_v<Values>) finished.files.resize(files);
@@ -67,7 +67,7 @@ Finished finished(const ConvertOutcome& outcome, const ConvertArguments& argumen
                   const Console& console) {
   Finished result = {.input = outcome.input,
                      .code = outcome.code,
-                     .is_judged = outcome.status <= Status::kRejected,
+                     .is_evaluated = outcome.status <= Status::kRejected,
                      .word = outcome.verdict.word,
                      .has_error = outcome.diagnostics.has_errors(),
                      .files = {},

@@ -18,7 +18,7 @@ namespace fca::cli {
 struct Finished {
   std::string input;
   ExitCode code = ExitCode::kGood;
-  bool is_judged = false;  ///< The verdict says something.
+  bool is_evaluated = false;  ///< The verdict says something.
   VerdictWord word = VerdictWord::kReady;
   bool has_error = false;         ///< Among its diagnostics.
   std::vector<OutputFile> files;  ///< Those without a path go to standard output. No bytes: not to be written.
@@ -28,7 +28,7 @@ struct Finished {
   std::optional<ConvertOutcome> whole;  ///< For a report. It is not packed.
 
   /// Has it a result to report?
-  [[nodiscard]] bool has_result() const { return is_judged && code != ExitCode::kIo; }
+  [[nodiscard]] bool has_result() const { return is_evaluated && code != ExitCode::kIo; }
   /// It could not be written.
   void fail(const Message& problem, const Console& console);
 };

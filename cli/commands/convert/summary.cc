@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The report that is printed without -v: the verdict, and what a user must act on.
 #include "convert_command.h"
-#include "shell/judgement_text.h"
 #include "shell/option_hints.h"
+#include "shell/statistics_text.h"
 #include "shell/verdict_text.h"
 #include "shell/words.h"
 
@@ -93,7 +93,7 @@ void add_limits(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
 void add_given_lens(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   double most = 0.0;
   for (const ConvertedCamera& camera : outcome.cameras) {
-    if (camera.report) most = std::max(most, camera.report->judgement.coverage.outside_lens);
+    if (camera.report) most = std::max(most, camera.report->statistics.coverage.outside_lens);
   }
   if (outcome.lens_given && most > kNothingToSpeakOf)
     lines.push_back({"limit", percent(most) + " of the image lies outside the lens as it was given: not fitted, not compared"});
@@ -142,7 +142,7 @@ void add_settings(const ConvertResult& outcome, std::vector<SummaryLine>& lines)
   if (!said.empty()) lines.push_back({"set", enumerated(said) + ": no input contains it"});
 }
 
-void add_left_out(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
+void add_removed(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   std::vector<std::string> cameras;
   for (const Loss& loss : outcome.losses) {
     if (same_id(loss.kind, Code::kOrbslam3ThirdCameraDropped)) cameras.push_back(loss.owner);
@@ -222,12 +222,12 @@ void add_bands(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   double worst_px = 1.0;
   const ConvertedCamera* worst = nullptr;
   for (const ConvertedCamera& camera : outcome.cameras) {
-    if (!camera.report || camera.report->exact || camera.report->judgement.error.p99 <= worst_px) continue;
-    worst_px = camera.report->judgement.error.p99;
+    if (!camera.report || camera.report->exact || camera.report->statistics.error.p99 <= worst_px) continue;
+    worst_px = camera.report->statistics.error.p99;
     worst = &camera;
   }
-  if (worst == nullptr || worst->report->judgement.bands.empty()) return;
-  std::vector<ErrorBand> bands = worst->report->judgement.bands;
+  if (worst == nullptr || worst->report->statistics.bands.empty()) return;
+  std::vector<ErrorBand> bands = worst->report->statistics.bands;
   constexpr std::size_t kMost = 6;  // of a line
   while (bands.size() > kMost) bands = in_pairs(bands);
   constexpr int kDigits = 2;
@@ -264,7 +264,7 @@ std::string summary_lines(const ConvertResult& outcome, bool is_short) {
   add_given_lens(outcome, lines);
   add_other_writings(outcome, lines);
   add_better_ways(outcome, lines);
-  add_left_out(outcome, lines);
+  add_removed(outcome, lines);
   add_settings(outcome, lines);
   if (is_short) add_bands(outcome, lines);
   std::string text = summary_text(lines);

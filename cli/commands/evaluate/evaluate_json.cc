@@ -22,21 +22,21 @@ void put_model(Json& json, std::string_view key, const CameraModel& model) {
   });
 }
 
-void put_judgement(Json& json, const Judgement& judgement) {
+void put_statistics(Json& json, const ErrorStatistics& statistics) {
   json.object("domain", [&] {
-    json.put("max_angle_deg", judgement.coverage.max_angle_deg);
-    json.put("scored_pixels", judgement.coverage.scored_pixels);
-    json.put("outside_lens_pixels", judgement.coverage.outside_lens_pixels);
-    json.put("unrepresentable_pixels", judgement.coverage.unrepresentable_pixels);
+    json.put("max_angle_deg", statistics.coverage.max_angle_deg);
+    json.put("scored_pixels", statistics.coverage.scored_pixels);
+    json.put("outside_lens_pixels", statistics.coverage.outside_lens_pixels);
+    json.put("unrepresentable_pixels", statistics.coverage.unrepresentable_pixels);
   });
   json.object("error_px", [&] {
-    json.put("rms", judgement.error.rms);
-    json.put("mean", judgement.error.mean);
-    json.put("p50", judgement.error.p50);
-    json.put("p95", judgement.error.p95);
-    json.put("p99", judgement.error.p99);
-    json.put("max", judgement.error.max);
-    json.put("max_at", std::span<const double>(judgement.error.max_at));
+    json.put("rms", statistics.error.rms);
+    json.put("mean", statistics.error.mean);
+    json.put("p50", statistics.error.p50);
+    json.put("p95", statistics.error.p95);
+    json.put("p99", statistics.error.p99);
+    json.put("max", statistics.error.max);
+    json.put("max_at", std::span<const double>(statistics.error.max_at));
   });
 }
 
@@ -77,7 +77,7 @@ void put_row(Json& json, const EvaluatedRow& row) {
   }
   put_model(json, "source", row.source);
   put_model(json, "target", row.conversion.camera.model);
-  put_judgement(json, row.conversion.report.judgement);
+  put_statistics(json, row.conversion.report.statistics);
   json.object("paper_samples", [&] {
     json.put("count", row.on_samples.count);
     json.put("mean_px", row.on_samples.mean_px);
@@ -112,7 +112,7 @@ void put_sweep(Json& json, const SampleSweep& sweep) {
 
 /// What is here in place of Table 4.
 void put_replacement(Json& json, const EvaluateResult& evaluation) {
-  const ErrorSummary& error = evaluation.slam_camera.judgement.error;
+  const ErrorSummary& error = evaluation.slam_camera.statistics.error;
   json.put("number", 4);
   json.put("reproduced", false);
   json.put("rms_px", error.rms);
@@ -143,7 +143,7 @@ void put_polynomials(Json& json, const EvaluatedPolynomials& polynomials) {
       put_polynomial(json, row.polynomial);
       json.put("rmse", row.rmse);
       put_model(json, "target", row.model);
-      put_judgement(json, row.judgement);
+      put_statistics(json, row.statistics);
       if (row.fit) {
         put_fit(json, *row.fit, row.time_us);
       } else {

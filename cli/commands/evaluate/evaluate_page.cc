@@ -106,7 +106,7 @@ void put_figure_3(Html& html, const std::vector<EvaluatedTable>& tables) {
       for (const EvaluatedRow& row : table.rows) {
         if (!row.pictures) continue;
         const std::string name = std::string(row.published.from.name) + "-" + std::string(row.published.to.name);
-        put_picture(html, name + ", " + pixels(row.conversion.report.judgement.error.rms) + " px rms", row.pictures->image);
+        put_picture(html, name + ", " + pixels(row.conversion.report.statistics.error.rms) + " px rms", row.pictures->image);
         put_picture(html, name + ", the difference 16 times", row.pictures->difference);
       }
     });

@@ -47,7 +47,7 @@ std::string name_of(const EvaluatedRow& row) {
 
 std::string milliseconds(double microseconds) { return text::format_short(microseconds / 1000.0, 2); }
 
-std::string domain_in_words(const std::optional<double>& max_angle_deg) {
+std::string field_of_view_in_words(const std::optional<double>& max_angle_deg) {
   return max_angle_deg ? "inside " + text::format_short(*max_angle_deg, 4) + " deg from the axis" : "the whole image";
 }
 
@@ -80,12 +80,12 @@ std::string table_text(const EvaluatedTable& table) {
                                                 {10, "", "ours"}}};
   const paper::ConversionTable& published = table.published;
   std::string text = "Table " + std::to_string(published.number) + ": " + std::string(published.title) + ", " +
-                     size_in_words(published.size) + " px, " + domain_in_words(published.max_angle_deg) + "\n" +
+                     size_in_words(published.size) + " px, " + field_of_view_in_words(published.max_angle_deg) + "\n" +
                      heading(kColumns);
   std::vector<std::string> times;
   for (const EvaluatedRow& row : table.rows) {
     const std::optional<paper::ErrorFigures>& theirs = row.published.authors_over_image;
-    const ErrorSummary& error = row.conversion.report.judgement.error;
+    const ErrorSummary& error = row.conversion.report.statistics.error;
     const std::array<std::string, kColumns.size()> cells = {name_of(row),
                                                             as_published(row.published.reprojection_error_px),
                                                             or_dash(theirs ? std::optional(theirs->mean_px) : std::nullopt),
@@ -123,7 +123,7 @@ std::string images_text(const EvaluatedTable& table) {
                            name_of(row), as_published(row.published.psnr_db), as_published(row.published.ssim),
                            fixed(row.painted->psnr_db, 2), fixed(row.painted->ssim, 4),
                            std::isinf(recovered.psnr_db) ? "the same" : fixed(recovered.psnr_db, 2), fixed(recovered.ssim, 4),
-                           percent(recovered.compared), pixels(row.conversion.report.judgement.error.rms)});
+                           percent(recovered.compared), pixels(row.conversion.report.statistics.error.rms)});
   }
   return text + "  painted without a conversion, but with noise of 1e-9 px: " + fixed(table.painted_noise->psnr_db, 2) +
          " dB, SSIM " + fixed(table.painted_noise->ssim, 4) + "\n";
@@ -200,14 +200,14 @@ std::string polynomials_text(const EvaluatedPolynomials& polynomials) {
                                                                as_published(toolbox.a1), as_published(toolbox.a2)});
   std::vector<std::string> times;
   for (const EvaluatedPolynomial& row : polynomials.rows) {
-    const Coverage& coverage = row.judgement.coverage;
+    const Coverage& coverage = row.statistics.coverage;
     const double lens = coverage.scored + coverage.unrepresentable;
     text += line(kColumns,
                  std::array<std::string, kColumns.size()>{
                      row.method, text::format_short(row.polynomial.a0, 6), as_published(row.polynomial.a1),
                      text::format_short(row.polynomial.a2, 4), text::format_short(row.rmse, 4),
                      text::format_short(coverage.max_angle_deg, 4), percent(lens > 0.0 ? coverage.unrepresentable / lens : 0.0),
-                     pixels(row.judgement.error.rms), pixels(row.judgement.error.max)});
+                     pixels(row.statistics.error.rms), pixels(row.statistics.error.max)});
     if (row.fit) times.push_back(milliseconds(row.time_us));
   }
   text += "  time of fca-io's fits in ms, in their order: " + enumerated(times) + "\n";
@@ -231,7 +231,7 @@ std::string sign_error_in_words(const EvaluatedPolynomials& polynomials) {
 
 std::string replacement_in_words(const EvaluateResult& evaluation) {
   const paper::SlamCamera camera = paper::slam_camera();
-  const ErrorSummary& error = evaluation.slam_camera.judgement.error;
+  const ErrorSummary& error = evaluation.slam_camera.statistics.error;
   return "Not reproduced: Table 4 and Figure 4 run a SLAM system (fisheye ORB-SLAM) on two sequences of TUM VI, once with EUCM "
          "converted from KB and once with EUCM calibrated directly, and compare trajectories. The system's random samples hide "
          "errors of this size. The counterpart is examples/openvins_simulation of the source: OpenVINS' estimator, with "

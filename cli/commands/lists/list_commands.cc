@@ -196,7 +196,7 @@ std::string candidates_json(const std::string& file, const std::vector<ModelsRes
     json.put("model", candidate.model->id);
     json.put("fits", candidate.conversion.has_value());
     if (!candidate.conversion) return;
-    const Judgement& j = candidate.conversion->report.judgement;
+    const ErrorStatistics& j = candidate.conversion->report.statistics;
     json.put("exact", candidate.conversion->report.exact);
     json.put("rms_px", j.error.rms);
     json.put("max_px", j.error.max);
@@ -241,7 +241,7 @@ std::string numbers(std::initializer_list<std::string> cells) {
 /// Of a wide lens both regions, the one that decides first.
 std::string row_text(const Candidate& candidate, bool is_wide) {
   const ConversionReport& report = candidate.conversion->report;
-  const ErrorSummary& error = report.judgement.error;
+  const ErrorSummary& error = report.statistics.error;
   const PixelDistance& circle = candidate.decisive();
   const bool is_less = !reaches_all(candidate);
   const std::string_view id = candidate.model->id;
@@ -250,7 +250,7 @@ std::string row_text(const Candidate& candidate, bool is_wide) {
     text += is_wide ? numbers({"exact", "", "exact", ""}) : numbers({"exact", "", ""});
   } else if (is_wide) {
     // A fit to a part of the image has no figures for all of it.
-    const bool is_whole = is_less || !report.fitted_to_cone;
+    const bool is_whole = is_less || !report.angle_reduced;
     text += numbers({is_less ? "" : pixels(circle.rms), is_less ? "" : pixels(circle.p99), is_whole ? pixels(error.rms) : "",
                      is_whole ? pixels(error.max) : ""});
   } else {
@@ -259,7 +259,7 @@ std::string row_text(const Candidate& candidate, bool is_wide) {
   if (candidate.in_circle && !is_less)
     return text + "--max-angle " + text::format_short(candidate.in_circle->max_angle_deg) + "\n";
   const std::string to = text::format_short(report.scored_to_deg, 3) + " deg";
-  return text + (is_less || report.fitted_to_cone ? "to " + to : "all") + "\n";
+  return text + (is_less || report.angle_reduced ? "to " + to : "all") + "\n";
 }
 
 std::string candidates_text(const Camera& camera, const std::vector<Candidate>& candidates) {

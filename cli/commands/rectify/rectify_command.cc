@@ -100,7 +100,7 @@ ExitCode tell(const RectifyArguments& arguments, const Rectifying& done, const C
     console.say(rectify_text(arguments, done));
     return code;
   }
-  console.say_aside(rectify_text(arguments, done));
+  console.print_stderr(rectify_text(arguments, done));
   console.out(done.result.files.front().bytes);
   return code;
 }

@@ -125,7 +125,7 @@ ExitCode tell(const RemapArguments& arguments, const Remapping& done, const Cons
   const bool wrote_parts = !arguments.map.empty() || !arguments.mask.empty();
   const bool made = wrote_parts || done.images.empty() || std::ranges::any_of(done.images, &is_written);
   const std::string text = (made ? view_text(arguments, done.result) : "") + images_text(arguments, done);
-  arguments.output.kind == OutputPlace::Kind::kStandardOutput ? console.say_aside(text) : console.say(text);
+  arguments.output.kind == OutputPlace::Kind::kStandardOutput ? console.print_stderr(text) : console.say(text);
   return code;
 }
 
@@ -143,7 +143,7 @@ ExitCode run_remap(const RemapArguments& arguments, Console& console) {
   if (const std::optional<std::string> error = problem_with_output(arguments, images, result.source.name))
     return console.refuse(ExitCode::kUsage, *error);
   if (result.status == Status::kRejected)
-    return console.refuse(ExitCode::kJudgedBad, result.source.name + " sees nothing of that view; nothing is written");
+    return console.refuse(ExitCode::kRejected, result.source.name + " sees nothing of that view; nothing is written");
   console.show(result.diagnostics);
   if (const std::optional<std::string> failure = write_parts(arguments, result.map, result.mask, console))
     return console.refuse(ExitCode::kIo, *failure);

@@ -83,7 +83,7 @@ ExitCode run_report(const ReportArguments& arguments, const TypedOptions& typed,
         contents.verdict.word);
   }
   console.show(contents.conversion ? contents.conversion->diagnostics : contents.shown.diagnostics);
-  return contents.verdict.word == VerdictWord::kDoNotUse ? worse(code, ExitCode::kJudgedBad) : code;
+  return contents.verdict.word == VerdictWord::kDoNotUse ? worse(code, ExitCode::kRejected) : code;
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ CheckResult check(const CheckRequest& request, const text::Source& source, Files
 
 std::optional<text::Source> with_fixes(const CheckRequest& request, const text::Source& source) {
   const bool with_cameras = !check_file(source, options_for(request, true)).holds_no_camera;
-  return mended(source, options_for(request, with_cameras));
+  return fixed_source(source, options_for(request, with_cameras));
 }
 
 }  // namespace fca

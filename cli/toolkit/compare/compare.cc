@@ -80,19 +80,19 @@ void exceed(ComparedFile& compared, Code code, std::vector<Argument> arguments =
 }
 
 /// Adds errors for cameras that differ by more than the limit. A missing pixel exceeds every limit.
-void judge_pixels(const CompareRequest& request, const ReferenceFile& reference, ComparedFile& compared) {
+void evaluate_pixels(const CompareRequest& request, const ReferenceFile& reference, ComparedFile& compared) {
   const double limit_px = request.max_error_px.value_or(kSamePx);
   for (const CameraComparison& camera : compared.comparison->cameras) {
     if (camera.identical) continue;
-    const Judgement& judgement = camera.decisive().judgement;
+    const ErrorStatistics& statistics = camera.decisive().statistics;
     constexpr double kNoticeable = 1e-3;
-    const double missing = judgement.coverage.unrepresentable;
-    if (!(judgement.coverage.scored > 0.0)) {
+    const double missing = statistics.coverage.unrepresentable;
+    if (!(statistics.coverage.scored > 0.0)) {
       exceed(compared, Code::kNothingCompared, {camera.other});
       continue;
     }
-    if (judgement.error.max > limit_px)
-      exceed(compared, Code::kDifferenceBeyondLimit, {camera.other, judgement.error.max, limit_px});
+    if (statistics.error.max > limit_px)
+      exceed(compared, Code::kDifferenceBeyondLimit, {camera.other, statistics.error.max, limit_px});
     if (missing > kNoticeable) {
       std::vector<Message> instead;
       if (!request.reference.lens_circles.empty()) instead.push_back({Code::kInPlaceOfCircle});
@@ -139,7 +139,7 @@ std::optional<PairError> pair_error_of(const Rig& reference, const Rig& other, c
 void apply_limits(const CompareRequest& request, const ReferenceFile& reference, ComparedFile& compared) {
   if (!request.max_error_px && !request.strict) return;
   for (const Mistake& mistake : compared.comparison->mistakes) exceed(compared, Code::kMistakeFound, {mistake.message});
-  judge_pixels(request, reference, compared);
+  evaluate_pixels(request, reference, compared);
   if (request.strict) check_other_facts(compared);
 }
 
@@ -200,7 +200,7 @@ bool inverses_differ(const ComparedFile& compared) {
   if (!compared.inverse_px || !compared.comparison) return false;
   double directions = 0.0;
   for (const CameraComparison& camera : compared.comparison->cameras)
-    directions = std::max(directions, camera.identical ? 0.0 : camera.difference.judgement.error.max + kSamePx);
+    directions = std::max(directions, camera.identical ? 0.0 : camera.difference.statistics.error.max + kSamePx);
   return *compared.inverse_px > directions;
 }
 

@@ -5,7 +5,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/least_error.h>
-#include <fca/convert/reach.h>
+#include <fca/convert/max_angle_table.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice)
   options.every_pixel = choice.request.every_pixel;
   options.objective = choice.request.objective;
   options.weight = {choice.request.weight, choice.request.density};
-  options.cone = choice.partial == Partial::kCone;
+  options.reduce_angle = choice.partial == Partial::kSmallerAngle;
   if (find_model(stored.model)->least_degree > 0) options.degree = choice.request.degree;
   options.ranges = ranges_of(stored, choice);
   options.fixed = choice.request.fixed;
@@ -125,8 +125,8 @@ Merit merit_of(const std::vector<ConvertedCamera>& outcomes, Objective objective
   Merit merit;
   for (const ConvertedCamera& outcome : outcomes) {
     if (!outcome.report) continue;
-    merit.unrepresentable += outcome.report->judgement.coverage.unrepresentable;
-    const ErrorSummary& error = outcome.report->judgement.error;
+    merit.unrepresentable += outcome.report->statistics.coverage.unrepresentable;
+    const ErrorSummary& error = outcome.report->statistics.error;
     merit.square_sum += std::pow(objective == Objective::kMax ? error.max : outcome.report->fitted_rms_px(), 2);
   }
   return merit;
@@ -157,9 +157,9 @@ std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, 
   const std::string_view model = camera.lens_id();
   if (!camera.rays.empty() && !choice.request.inputs.change.changes_nothing()) return std::nullopt;
   if (!choice.same_format || find_stored_model(format, model, false) != nullptr) return std::nullopt;
-  StoredModel as_read;
-  as_read.model = model;
-  return as_read;
+  StoredModel stored;
+  stored.model = model;
+  return stored;
 }
 
 /// The share of the image that lies 90 degrees or more from the axis, summed over the images.
@@ -168,7 +168,7 @@ double share_behind(const std::vector<ConvertedCamera>& outcomes) {
   double share = 0.0;
   for (const ConvertedCamera& outcome : outcomes) {
     if (!outcome.report) continue;
-    for (const ErrorBand& band : outcome.report->judgement.bands) share += band.from_deg >= kAheadDeg ? band.share : 0.0;
+    for (const ErrorBand& band : outcome.report->statistics.bands) share += band.from_deg >= kAheadDeg ? band.share : 0.0;
   }
   return share;
 }
@@ -177,8 +177,8 @@ double share_behind(const std::vector<ConvertedCamera>& outcomes) {
 bool is_good_everywhere(const std::vector<ConvertedCamera>& outcomes) {
   constexpr double kGoodRms = 0.25;  // px
   return std::ranges::all_of(outcomes, [](const ConvertedCamera& outcome) {
-    const Judgement* judgement = outcome.report ? &outcome.report->judgement : nullptr;
-    return judgement != nullptr && judgement->coverage.unrepresentable <= kSameCoverage && judgement->error.rms <= kGoodRms;
+    const ErrorStatistics* statistics = outcome.report ? &outcome.report->statistics : nullptr;
+    return statistics != nullptr && statistics->coverage.unrepresentable <= kSameCoverage && statistics->error.rms <= kGoodRms;
   });
 }
 
@@ -199,8 +199,8 @@ bool surely_loses(const std::vector<Camera>& cameras, const StoredModel& stored,
   });
 }
 
-/// Fits all cameras with the best model that may be chosen. A model that sees only ahead is not tried if another covers what is
-/// behind, and not fitted to a cone if another is good everywhere: that fit is the slowest of all.
+/// Fits all cameras with the best model that may be chosen. A perspective model is not tried if another covers what is
+/// behind, and not fitted up to a smaller angle if another is good everywhere: that fit is the slowest of all.
 /// A model is not fitted at all if none of its cameras can be as good as a fit that is good everywhere.
 std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>& cameras, const Format& format,
                                                        const ModelChoice& choice, Diagnostics& diagnostics) {
@@ -227,7 +227,7 @@ std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>
     behind = std::max(behind, share_behind(*candidate.outcomes));
   };
   for (Candidate& candidate : candidates) {
-    if (!sees_ahead_only(candidate.stored->model)) try_out(candidate);
+    if (!is_perspective(candidate.stored->model)) try_out(candidate);
   }
   const auto is_hopeless = [&](const Candidate& candidate) {
     return next.partial == Partial::kNothing && std::ranges::any_of(candidates, [&](const Candidate& other) {

@@ -17,15 +17,15 @@
 
 namespace fca {
 
-/// What to do with a model that cannot describe the whole lens: fit it to a cone, or not at all.
-enum class Partial : std::uint8_t { kCone, kNothing };
+/// What to do with a model that cannot describe the whole lens: fit it up to a smaller angle, or not at all.
+enum class Partial : std::uint8_t { kSmallerAngle, kNothing };
 
 struct ModelChoice {
   const ConvertRequest& request;        ///< Options of the fits; it must outlive the choice.
   std::size_t most_cameras = SIZE_MAX;  ///< Cameras beyond this number are not converted, since no file will contain them.
   std::span<const consumers::UnreadParameter> unread = {};
   std::vector<std::string> among = {};  ///< Ids of the models that may be chosen; empty: those that the stock program reads.
-  Partial partial = Partial::kCone;
+  Partial partial = Partial::kSmallerAngle;
   KnownConversions* known = nullptr;  ///< A cache of conversions of the same request; null: none.
   bool errors_of_kept = true;         ///< As in the request.
   bool same_format = false;           ///< The cameras come from a file of the format they are written to.

@@ -3,8 +3,8 @@
 
 #include <fca/code.h>
 #include <fca/convert/common_lens.h>
-#include <fca/convert/judge.h>
-#include <fca/convert/reach.h>
+#include <fca/convert/evaluate.h>
+#include <fca/convert/max_angle_table.h>
 
 #include <algorithm>
 #include <array>
@@ -19,16 +19,16 @@ namespace {
 constexpr std::size_t kPair = 2;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// A report with the errors of `model`; nullopt, with an error, if the source has no domain.
+/// A report with the errors of `model`; nullopt, with an error, if the source has no field of view.
 std::optional<ConversionReport> report_of(const Camera& source, const CameraModel& model, const ConvertRequest& request,
                                           Diagnostics& diagnostics) {
-  const std::optional<Domain> domain = domain_of(source, request.inputs.max_angle_rad, diagnostics);
-  if (!domain) return std::nullopt;
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(source, request.inputs.max_angle_rad, diagnostics);
+  if (!field_of_view) return std::nullopt;
   ConversionReport report;
   report.from_model = source.lens_id();
   report.to_model = model_info(model).id;
-  report.judgement = judge(source.model, model, *domain, {.every_pixel = request.every_pixel});
-  report.scored_to_deg = std::min(domain->max_angle_rad, max_angle(model)) * kDegrees;
+  report.statistics = evaluate(source.model, model, *field_of_view, {.every_pixel = request.every_pixel});
+  report.scored_to_deg = std::min(field_of_view->max_angle_rad, max_angle(model)) * kDegrees;
   return report;
 }
 
@@ -38,7 +38,7 @@ bool share_lens(const ConvertRequest& request, const Format& to, std::size_t hel
                 Diagnostics& diagnostics) {
   if (!request.layout || to.common_lens_layout.empty() || request.layout->name() != to.common_lens_layout) return true;
   const auto is_fisheye = [](const ConvertedCamera& camera) {
-    return camera.source.rays.empty() && !sees_ahead_only(model_info(camera.target.model).id);
+    return camera.source.rays.empty() && !is_perspective(model_info(camera.target.model).id);
   };
   const bool is_pair = std::min(held, cameras.size()) >= kPair &&
                        std::all_of(cameras.begin(), cameras.begin() + kPair, is_fisheye) &&
@@ -66,8 +66,8 @@ bool share_lens(const ConvertRequest& request, const Format& to, std::size_t hel
     const std::optional<ConversionReport> misread = report_of(sources.at(i), before[i], request, diagnostics);
     std::optional<ConversionReport> report = report_of(sources.at(i), (*after)[i], request, diagnostics);
     if (!misread || !report) return false;
-    rms_before.at(i) = misread->judgement.error.rms;
-    rms_after.at(i) = report->judgement.error.rms;
+    rms_before.at(i) = misread->statistics.error.rms;
+    rms_after.at(i) = report->statistics.error.rms;
     cameras[i].target.model = (*after)[i];
     cameras[i].report = std::move(report);
   }

@@ -184,7 +184,7 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.files = files;
   for (const ConvertedCamera& camera : result.cameras) {
     if (result.lens_given && camera.report)
-      facts.outside_lens = std::max(facts.outside_lens, camera.report->judgement.coverage.outside_lens);
+      facts.outside_lens = std::max(facts.outside_lens, camera.report->statistics.coverage.outside_lens);
   }
   facts.pair = result.pair ? &*result.pair : nullptr;
   std::vector<OwnUncertainty> uncertainties;

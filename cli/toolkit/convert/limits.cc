@@ -15,7 +15,7 @@ void warn_of_poor_fits(const ConvertRequest& request, ConvertResult& result) {
   constexpr double kPoorMax = 10.0;  // px
   for (const ConvertedCamera& camera : result.cameras) {
     if (!camera.report || camera.report->exact) continue;
-    const ErrorSummary& error = camera.report->judgement.error;
+    const ErrorSummary& error = camera.report->statistics.error;
     if (error.rms <= kPoorRms && error.max <= kPoorMax) continue;
     result.diagnostics.add(Code::kPoorFit,
                            {camera.source.name, camera.report->to_model, error.rms, error.max, request.inputs.files.front()});
@@ -27,7 +27,7 @@ namespace {
 /// The reason why the error of a fit is not known to be within the limit; nullopt if it is. The measured maximum counts only if
 /// the proven bound confirms it to 10 %: in an image one pixel wide the lattice may miss the worst ray.
 std::optional<Message> beyond_limit(const ConvertedCamera& camera, double limit_px) {
-  const ErrorSummary& error = camera.report->judgement.error;
+  const ErrorSummary& error = camera.report->statistics.error;
   constexpr double kConfirmed = 1.1;
   if (error.max > limit_px) return Message{Code::kErrorBeyondLimit, {camera.source.name, error.max, limit_px}};
   if (error.bound <= std::max(limit_px, kConfirmed * error.max)) return std::nullopt;
@@ -62,8 +62,8 @@ void apply_limits(const ConvertRequest& request, ConvertResult& result) {
     if (!request.max_error_px || !camera.report) continue;
     // A missing pixel exceeds every limit.
     constexpr double kNoticeable = 1e-3;
-    const double missing = camera.report->judgement.coverage.unrepresentable;
-    if (missing > kNoticeable || (camera.report->fitted_to_cone && missing > 0.0)) {
+    const double missing = camera.report->statistics.coverage.unrepresentable;
+    if (missing > kNoticeable || (camera.report->angle_reduced && missing > 0.0)) {
       std::vector<Message> instead;
       if (!request.inputs.lens_circles.empty()) instead.push_back({Code::kInPlaceOfCircle});
       result.diagnostics.add(Code::kMissingBeyondLimit, {camera.source.name, missing, camera.report->to_model,

@@ -5,7 +5,7 @@
 #include "models/model_advice.h"
 #include "writing.h"
 
-#include <fca/convert/reach.h>
+#include <fca/convert/max_angle_table.h>
 #include <fca/formats/verdict.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ bool serves_the_same(const ConvertResult& other, const ConvertResult& result) {
 }
 
 std::optional<ConvertResult> written_as(const ConvertRequest& request, const Start& start, const ConvertResult& before,
-                                        const ConvertResult& result, Partial partial = Partial::kCone) {
+                                        const ConvertResult& result, Partial partial = Partial::kSmallerAngle) {
   ConvertResult other = before;
   if (!write_as_asked(request, start, other, partial) || !serves_the_same(other, result)) return std::nullopt;
   return other;
@@ -116,8 +116,8 @@ bool is_cut_by_program(const ConvertedCamera& camera, const std::vector<CameraPr
   const auto proof = std::ranges::find(seen, camera.source.name, &CameraProof::name);
   if (proof == seen.end() || !camera.report) return false;
   if (camera.source.lens_id() == camera.target.lens_id()) return false;
-  // Outside the scored part the model itself has no correct ray, by its formula or because it was fitted to a smaller cone.
-  return share_lost(*proof) > 1.0 - camera.report->judgement.coverage.scored + kSameShare;
+  // Outside the scored part the model itself has no correct ray, by its formula or because it was fitted up to a smaller angle.
+  return share_lost(*proof) > 1.0 - camera.report->statistics.coverage.scored + kSameShare;
 }
 
 /// The best way to write the files so far, and the others that were tried.
@@ -212,7 +212,7 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
   if (!choice.is_good() && request.model == nullptr) {
     for (const std::string_view layout : choice.layouts_left()) {
       for (const StoredModel& stored : result.to->models) {
-        if (!stored.stock || (is_wide && sees_ahead_only(stored.model))) continue;
+        if (!stored.stock || (is_wide && is_perspective(stored.model))) continue;
         if (!layout_stores(*result.to, layout, stored.model)) continue;
         other.layout = FormatLayout::find(*result.to, layout);
         other.model = find_model(stored.model);

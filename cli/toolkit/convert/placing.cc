@@ -84,7 +84,7 @@ bool has_room(const ConvertRequest& request, ConvertResult& result) {
 
 /// Removes all files without cameras but the first file. Each is reported as a loss if it held anything of the input, and its
 /// defaults are no longer listed.
-void leave_out_further_files(ConvertResult& result) {
+void remove_further_files(ConvertResult& result) {
   for (std::size_t i = result.files.size(); i-- > 1;) {
     if (!result.files[i].cameras.empty()) continue;
     const std::string name = result.files[i].name;
@@ -134,7 +134,7 @@ std::size_t camera_files(const std::vector<ConvertedFile>& files) {
 
 bool place_files(const ConvertRequest& request, ConvertResult& result) {
   if (!has_room(request, result)) return false;
-  if (!request.room.further_files) leave_out_further_files(result);
+  if (!request.room.further_files) remove_further_files(result);
   if (!request.room.fillers) {
     const std::size_t gone = std::erase_if(result.files, [](const ConvertedFile& file) { return file.is_filler(); });
     // One file is no folder of a program, so its name is free.

@@ -56,7 +56,7 @@ std::string camera_line(const ConvertedCamera& camera, bool other_images) {
   if (camera.source.model == camera.target.model)
     return text + to + ", " + std::string(kKept) + (other_images ? " for the changed images" : "");
   if (!camera.report) return text + from + std::string(kArrow) + to;
-  const Judgement& j = camera.report->judgement;
+  const ErrorStatistics& j = camera.report->statistics;
   const std::string where = camera.source.rays.empty() ? "" : " at its " + std::to_string(camera.source.rays.size()) + " rays";
   return text + from + std::string(kArrow) + to + (camera.report->exact ? ", exact" : "") + std::string(kRms) +
          pixels(j.error.rms) + " px, max " + pixels(j.error.max) + " px" + where + " up to " +

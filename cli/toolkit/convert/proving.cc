@@ -4,7 +4,7 @@
 #include "parallel_for.h"
 
 #include <fca/code.h>
-#include <fca/formats/mend.h>
+#include <fca/formats/fix.h>
 #include <fca/formats/read_back.h>
 #include <fca/formats/wording.h>
 #include <fca/toolkit/save.h>
@@ -85,7 +85,7 @@ void take_figures_of_fits(const std::vector<ConvertedCamera>& cameras, ProofResu
         std::ranges::find(cameras, camera.name, [](const ConvertedCamera& each) { return each.source.name; });
     if (converted == cameras.end() || !converted->report || converted->report->exact) continue;
     PixelDistance& image = camera.distance.in_image;
-    const Judgement& fit = converted->report->judgement;
+    const ErrorStatistics& fit = converted->report->statistics;
     const bool is_as_written = camera.agrees && !camera.misread && camera.max_diff_px <= kSamePx;
     const bool is_same_region = image.no_rays == 0.0 && std::abs(image.region - fit.coverage.scored) <= kSameShare;
     if (!is_as_written || !is_same_region) continue;
@@ -118,7 +118,7 @@ Message newly_refused(const Written& written, const Rig& rig, const text::Docume
 }
 
 bool fix_kept_text(const Format& format, const Rig& rig, Written& written, LoadedViews& views, Diagnostics& diagnostics) {
-  constexpr int kMostMends = 100;  // each takes several runs of the program's reader
+  constexpr int kMostFixes = 100;  // each takes several runs of the program's reader
   const consumers::LoadOptions options = load_options(written, rig);
   bool all_load = true;
   for (Written::File& file : written.files) {
@@ -126,27 +126,27 @@ bool fix_kept_text(const Format& format, const Rig& rig, Written& written, Loade
       const consumers::Consumer* program = consumers::find_consumer(id);
       if (program == nullptr) continue;
       text::Document document = file.document;
-      Diagnostics mends;
+      Diagnostics fixes;
       std::optional<consumers::Complaint> refusal;
       consumers::ConsumerView tried;
       const AskProgram ask = [&](const std::string& bytes) { return tried = program->load(bytes, options); };
-      for (int i = 0; i < kMostMends; ++i) {
+      for (int i = 0; i < kMostFixes; ++i) {
         const consumers::ConsumerView& view = views.of(*program, document.bytes(), options);
         refusal = view.loads() ? std::nullopt : std::optional(view.refusals.front());
         all_load = all_load && !refusal;
-        const std::optional<Mend> mend = refusal ? find_mend(document, view, *refusal, ask) : std::nullopt;
-        if (!mend) break;
+        const std::optional<Fix> fix = refusal ? find_fix(document, view, *refusal, ask) : std::nullopt;
+        if (!fix) break;
         std::vector<Message> how;
-        if (!names_mend(refusal->facts, *mend)) how.push_back({Code::kMendedHow, {mend->fix}});
-        mends.add(Code::kMended, {refusal->facts, how}, document.source().range(mend->span));
-        document.replace(mend->span, mend->text);
+        if (!names_fix(refusal->facts, *fix)) how.push_back({Code::kFixedHow, {fix->remedy}});
+        fixes.add(Code::kFixed, {refusal->facts, how}, document.source().range(fix->span));
+        document.replace(fix->span, fix->text);
         views.add(*program, document.bytes(), options, std::exchange(tried, {}));
       }
       if (refusal) continue;
-      if (mends.entries().empty()) continue;
+      if (fixes.entries().empty()) continue;
       file.document = std::move(document);
       file.says = read_back(format, file, rig, written);
-      for (const Diagnostic& each : mends.entries()) diagnostics.add(each);
+      for (const Diagnostic& each : fixes.entries()) diagnostics.add(each);
     }
   }
   return all_load;
@@ -164,19 +164,19 @@ void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagn
 
 void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& request, const Written& written,
             const text::Document* base, LoadedViews& views, ConvertResult& result) {
-  bool judged = false;
+  bool evaluated = false;
   std::vector<CalibratedCamera> calibrated;
   calibrated.reserve(result.cameras.size());
   for (const ConvertedCamera& camera : result.cameras) {
     calibrated.emplace_back().camera = camera.source;
     if (camera.report && camera.report->turn) calibrated.back().T_written_camera = camera.report->turn->T_target_source;
-    const bool has_end = camera.report && camera.report->fitted_to_cone;
+    const bool has_end = camera.report && camera.report->angle_reduced;
     if (has_end) calibrated.back().fitted_to_rad = camera.report->scored_to_deg * std::numbers::pi / 180.0;
   }
   for (const std::string& id : output.programs) {
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
-    judged = true;
+    evaluated = true;
     consumers::LoadOptions options = load_options(written, rig);
     options.file_name = name_for(*consumer, output, request);
     ProofResult proof = prove(
@@ -209,7 +209,7 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
     }
     result.proofs.push_back(std::move(proof));
   }
-  if (judged) return;
+  if (evaluated) return;
   result.unproven.push_back(output.path);
   std::vector<Message> of_path;
   if (!output.path.empty()) of_path.push_back({Code::kOfPath, {output.path}});

@@ -87,8 +87,8 @@ void drop_findings_of_others(const std::vector<Camera>& read, const Rig& rig, st
     const auto* owner =
         finding.facts.arguments.empty() ? nullptr : std::get_if<std::string>(&finding.facts.arguments.front().value);
     const bool is_of_camera = owner != nullptr && std::ranges::find(read, *owner, &Camera::name) != read.end();
-    const bool is_left_out = is_of_camera && rig.find_camera(*owner) == nullptr;
-    return is_left_out || (is_single_camera && info(code_of(finding)).about == About::kPoses);
+    const bool is_removed = is_of_camera && rig.find_camera(*owner) == nullptr;
+    return is_removed || (is_single_camera && info(code_of(finding)).about == About::kPoses);
   });
 }
 

@@ -53,9 +53,9 @@ std::optional<Message> stray_ray(const ConvertedCamera& camera) {
   const double off = of_fit(worst);
   // For a lens that the model describes badly, errors grow towards the edge; a single one does not exceed all others tenfold.
   constexpr double kLeap = 10.0;
-  if (!(off > kLeap * std::max(fit->report.judgement.error.max, kSeenPx / kLeap))) return std::nullopt;
+  if (!(off > kLeap * std::max(fit->report.statistics.error.max, kSeenPx / kLeap))) return std::nullopt;
   if (!std::isfinite(off)) return Message{Code::kRayOutside, {camera.source.name, worst.pixel[0], worst.pixel[1]}};
-  return Message{Code::kRayApart, {camera.source.name, worst.pixel[0], worst.pixel[1], off, fit->report.judgement.error.max}};
+  return Message{Code::kRayApart, {camera.source.name, worst.pixel[0], worst.pixel[1], off, fit->report.statistics.error.max}};
 }
 
 }  // namespace fca

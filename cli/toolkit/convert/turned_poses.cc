@@ -27,8 +27,7 @@ void turn_poses(const std::vector<ConvertedCamera>& cameras, Rig& rig) {
   }
 }
 
-void tell_of_turns(const std::vector<PoseEdge>& written, const std::vector<ConvertedCamera>& cameras,
-                   Diagnostics& diagnostics) {
+void report_turns(const std::vector<PoseEdge>& written, const std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics) {
   for (const ConvertedCamera& camera : cameras) {
     if (!camera.report) continue;
     const std::string& name = camera.target.name;
@@ -38,13 +37,13 @@ void tell_of_turns(const std::vector<PoseEdge>& written, const std::vector<Conve
       const auto [x, y, z] = rotation_vector(turn->T_target_source);
       const double angle_deg = std::hypot(x, y, z) * 180.0 / std::numbers::pi;
       if (has_pose) {
-        diagnostics.add(Code::kTurnedIntoPose, {name, angle_deg, camera.report->judgement.error.rms, turn->rms_before_px});
+        diagnostics.add(Code::kTurnedIntoPose, {name, angle_deg, camera.report->statistics.error.rms, turn->rms_before_px});
       } else {
         diagnostics.add(Code::kTurnHasNoPose, {name, angle_deg, x, y, z});
       }
     }
     if (const std::optional<TurnOffer>& offer = camera.report->turn_offer; offer && has_pose)
-      diagnostics.add(Code::kTurnWouldHelp, {name, offer->angle_deg, offer->rms_px, camera.report->judgement.error.rms});
+      diagnostics.add(Code::kTurnWouldHelp, {name, offer->angle_deg, offer->rms_px, camera.report->statistics.error.rms});
   }
 }
 

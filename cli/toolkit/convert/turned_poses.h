@@ -13,6 +13,6 @@ void turn_poses(const std::vector<ConvertedCamera>& cameras, Rig& rig);
 
 /// Adds notes about the cameras that were rotated, those of them that have no pose in the written files, and those that a
 /// rotation would improve.
-void tell_of_turns(const std::vector<PoseEdge>& written, const std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics);
+void report_turns(const std::vector<PoseEdge>& written, const std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics);
 
 }  // namespace fca

@@ -20,7 +20,7 @@ WriteOptions write_options(const ConvertRequest& request, const Base& base, std:
   options.layout = name_of(request.layout);
   options.frame_rate_hz = request.frame_rate_hz;
   options.max_angle_rad = request.inputs.max_angle_rad;
-  options.anew = request.rewrite;
+  options.rewrite = request.rewrite;
   options.adopted = base.adopted;
   options.extension = request.extension;
   if (request.program != nullptr) options.models_taken = request.program->writing.models_taken;
@@ -53,7 +53,7 @@ std::optional<Written> write_rig(const Calibration& source, const Rig& rig, cons
   const text::Document* owners = base.into != nullptr ? base.document : nullptr;
   const Message refusal = asked_for ? newly_refused(*written, rig, owners, views) : Message{};
   if (!refusal.is_said()) return written;
-  options.anew = true;
+  options.rewrite = true;
   result.diagnostics.add(Code::kLayoutNotKept, {refusal});
   return write_calibration(*result.to, base.document, rig, options, result.diagnostics);
 }

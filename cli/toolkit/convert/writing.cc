@@ -18,7 +18,7 @@
 #include "write_rig.h"
 
 #include <fca/code.h>
-#include <fca/convert/reach.h>
+#include <fca/convert/max_angle_table.h>
 #include <fca/convert/uncertainty.h>
 #include <fca/formats/counted_cameras.h>
 
@@ -57,13 +57,13 @@ Rig as_restated(Rig rig, const Written& written) {
 
 /// Adds the table of smaller angles to each fitted camera's report: how good the fit would be if the lens ended earlier. Only
 /// for lenses whose angle no input gives.
-void add_reach(const Format& to, const ModelChoice& choice, std::vector<ConvertedCamera>& cameras) {
+void add_max_angles(const Format& to, const ModelChoice& choice, std::vector<ConvertedCamera>& cameras) {
   parallel_for(cameras.size(), choice.request.jobs, [&](std::size_t i) {
     ConvertedCamera& camera = cameras[i];
     const StoredModel* stored = find_stored_model(to, model_info(camera.target.model).id, false);
     if (!camera.report || camera.report->exact || stored == nullptr) return;
     Diagnostics discarded;
-    camera.report->reach = reach_table(camera.source, options_for(*stored, choice), *camera.report, discarded);
+    camera.report->max_angles = max_angle_table(camera.source, options_for(*stored, choice), *camera.report, discarded);
   });
 }
 
@@ -113,7 +113,7 @@ void put_first(const consumers::Consumer& program, const Rig& rig, Written& writ
     file.place = std::filesystem::path(file.place).replace_filename(program.writing.equidistant_file_name).string();
   }
   const bool goes_by_name = !program.writing.equidistant_file_name.empty();  // other programs of the format ignore the name
-  if (is_new || goes_by_name) written.headline = {Code::kHeadlineAsRead, {written.headline, program.program}};
+  if (is_new || goes_by_name) written.headline = {Code::kHeadlineOfReader, {written.headline, program.program}};
 }
 
 /// The steps of a conversion from the request to proven files. Each step returns false after an error.
@@ -173,7 +173,7 @@ bool Writing::fit() {
   result_.cameras = *std::move(cameras);
   if (!share_lens(request_, *result_.to, choice_.most_cameras, result_.cameras, result_.diagnostics)) return false;
   if (!fit_as_pair(input_.rig, *result_.to, choice_, result_.cameras, result_.diagnostics)) return false;
-  if (request_.in_detail) add_reach(*result_.to, choice_, result_.cameras);
+  if (request_.in_detail) add_max_angles(*result_.to, choice_, result_.cameras);
   add_uncertainties(input_.rig, request_, result_.cameras);
   return put_together();
 }
@@ -212,7 +212,7 @@ bool Writing::place() {
   result_.headline = written_.headline;
   result_.mode = written_.sensor;
   result_.poses = written_.poses;
-  tell_of_turns(result_.poses, result_.cameras, result_.diagnostics);
+  report_turns(result_.poses, result_.cameras, result_.diagnostics);
   result_.losses = written_.losses;
   result_.defaults = written_.defaults;
   for (const Written::File& file : written_.files) {

@@ -12,6 +12,6 @@ namespace fca {
 
 /// Fits the cameras, writes the files in memory, gives them paths and proves them. Fills `result`; false with errors.
 [[nodiscard]] bool write_as_asked(const ConvertRequest& request, const Start& start, ConvertResult& result,
-                                  Partial partial = Partial::kCone);
+                                  Partial partial = Partial::kSmallerAngle);
 
 }  // namespace fca

@@ -5,8 +5,8 @@
 #include "recovered_images.h"
 #include "sample_sweep.h"
 
-#include <fca/convert/domain.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
+#include <fca/convert/field_of_view.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,15 +48,15 @@ std::optional<TimedConversion> timed_conversion(const Camera& camera, ConvertOpt
   }
   std::ranges::nth_element(times, times.begin() + kRuns / 2);
   options.every_pixel = true;
-  std::optional<Conversion> judged = convert(camera, options, diagnostics);
-  if (!judged) return std::nullopt;
-  return TimedConversion{std::move(*judged), times[kRuns / 2]};
+  std::optional<Conversion> evaluated = convert(camera, options, diagnostics);
+  if (!evaluated) return std::nullopt;
+  return TimedConversion{std::move(*evaluated), times[kRuns / 2]};
 }
 
-SampleError error_on_samples(const CameraModel& source, const CameraModel& target, const Domain& domain) {
+SampleError error_on_samples(const CameraModel& source, const CameraModel& target, const FieldOfView& field_of_view) {
   SampleError result;
-  for (const Pixel& pixel : paper::cell_centres(domain.size, paper::kSamples)) {
-    const std::optional<Ray> ray = domain.ray(source, pixel);
+  for (const Pixel& pixel : paper::cell_centres(field_of_view.size, paper::kSamples)) {
+    const std::optional<Ray> ray = field_of_view.ray(source, pixel);
     const std::optional<Pixel> image = ray ? project(target, *ray) : std::nullopt;
     if (!image) continue;
     ++result.count;
@@ -84,13 +84,13 @@ std::optional<EvaluatedRow> evaluate_row(const paper::ConversionTable& table, co
   // As in the paper's toolbox.
   if (const int least = find_model(options.model)->least_degree; least > 0) options.degree = least;
   std::optional<TimedConversion> timed = timed_conversion(source, options, diagnostics);
-  const std::optional<Domain> domain = domain_of(source, options.max_angle_rad, diagnostics);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(source, options.max_angle_rad, diagnostics);
   const CameraModel* truth = paper::calibration_in(table, row.to);
-  if (!timed || !domain || truth == nullptr) return std::nullopt;
+  if (!timed || !field_of_view || truth == nullptr) return std::nullopt;
 
   EvaluatedRow result{row, source.model, std::move(timed->conversion), timed->time_us, {}, 0.0};
   const CameraModel& target = result.conversion.camera.model;
-  result.on_samples = error_on_samples(source.model, target, *domain);
+  result.on_samples = error_on_samples(source.model, target, *field_of_view);
   result.parameter_error = paper::parameter_distance(target, *truth);
   return result;
 }
@@ -138,14 +138,14 @@ std::optional<EvaluatedPolynomials> evaluate_polynomials(Diagnostics& diagnostic
 
   // The paper's samples lie ahead of the camera: z > 0.
   constexpr double kAheadDeg = 90.0;
-  const std::optional<Domain> ahead = domain_of(source, kAheadDeg * kRadiansPerDegree, diagnostics);
+  const std::optional<FieldOfView> ahead = field_of_view_of(source, kAheadDeg * kRadiansPerDegree, diagnostics);
   if (!ahead) return std::nullopt;
   for (const paper::PublishedPolynomial& published : table.methods) {
     EvaluatedPolynomial row;
     row.method = published.method;
     row.polynomial = published.polynomial;
     row.model = paper::camera_of(published.polynomial, principal_point(source.model));
-    row.judgement = judge(source.model, CameraModel(row.model), *ahead, {.every_pixel = true, .bound = false});
+    row.statistics = evaluate(source.model, CameraModel(row.model), *ahead, {.every_pixel = true, .bound = false});
     result.rows.push_back(std::move(row));
   }
   for (const PolynomialFit& fit : polynomial_fits()) {
@@ -162,7 +162,7 @@ std::optional<EvaluatedPolynomials> evaluate_polynomials(Diagnostics& diagnostic
     row.polynomial = paper::polynomial_of(row.model);
     row.fit = timed->conversion.report.fit;
     row.time_us = timed->time_us;
-    row.judgement = std::move(timed->conversion.report.judgement);
+    row.statistics = std::move(timed->conversion.report.statistics);
     result.rows.push_back(std::move(row));
   }
   for (EvaluatedPolynomial& row : result.rows) row.rmse = rmse(row.polynomial, table.toolbox);

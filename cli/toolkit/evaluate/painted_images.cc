@@ -69,8 +69,8 @@ class Blur {
   Blur(int width, int height) : width_(width), height_(height) {
     constexpr double kDeviation = 1.5;
     double sum = 0.0;
-    for (int i = -kReach; i <= kReach; ++i)
-      sum += weights_.at(static_cast<std::size_t>(i + kReach)) = std::exp(-0.5 * i * i / (kDeviation * kDeviation));
+    for (int i = -kHalfWidth; i <= kHalfWidth; ++i)
+      sum += weights_.at(static_cast<std::size_t>(i + kHalfWidth)) = std::exp(-0.5 * i * i / (kDeviation * kDeviation));
     for (double& weight : weights_) weight /= sum;
   }
 
@@ -79,7 +79,7 @@ class Blur {
   }
 
  private:
-  static constexpr int kReach = 5;
+  static constexpr int kHalfWidth = 5;
 
   static int mirrored(int i, int count) { return i < 0 ? -i : i >= count ? 2 * (count - 1) - i : i; }
 
@@ -88,9 +88,9 @@ class Blur {
     for (int y = 0; y < height_; ++y) {
       for (int x = 0; x < width_; ++x) {
         double sum = 0.0;
-        for (int i = -kReach; i <= kReach; ++i) {
+        for (int i = -kHalfWidth; i <= kHalfWidth; ++i) {
           const int from = mirrored(y + i * down, height_) * width_ + mirrored(x + i * right, width_);
-          sum += weights_.at(static_cast<std::size_t>(i + kReach)) * image[static_cast<std::size_t>(from)];
+          sum += weights_.at(static_cast<std::size_t>(i + kHalfWidth)) * image[static_cast<std::size_t>(from)];
         }
         result[static_cast<std::size_t>(y * width_ + x)] = sum;
       }
@@ -100,7 +100,7 @@ class Blur {
 
   int width_;
   int height_;
-  std::array<double, 2 * kReach + 1> weights_{};
+  std::array<double, 2 * kHalfWidth + 1> weights_{};
 };
 
 std::vector<double> product(const std::vector<double>& a, const std::vector<double>& b) {

@@ -28,7 +28,7 @@ std::optional<SweepPoint> point_of(const Camera& source, const EvaluatedRow& row
     time = conversion->report.fit.time_us;
   }
   return SweepPoint{samples, conversion->report.fit.samples, paper::parameter_distance(conversion->camera.model, truth),
-                    conversion->report.judgement.error.rms, *std::ranges::min_element(times)};
+                    conversion->report.statistics.error.rms, *std::ranges::min_element(times)};
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include "models/model_advice.h"
 
 #include <fca/code.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/formats/verdict.h>
 #include <fca/toolkit/models.h>
 #include <fca/toolkit/read.h>
@@ -29,7 +29,7 @@ std::vector<StoringFormat> stored_by(const CameraModel& model) {
 
 /// True if the fit covers the whole lens, with errors in the decisive region so small that nobody notices them.
 bool is_good_as_whole(const Candidate& candidate) {
-  return !candidate.conversion->report.fitted_to_cone && word_of(candidate.distance.decisive()) == VerdictWord::kReady;
+  return !candidate.conversion->report.angle_reduced && word_of(candidate.distance.decisive()) == VerdictWord::kReady;
 }
 
 /// True if `a` is the better choice. Exact conversions come first, and among these the camera's own model.
@@ -62,7 +62,7 @@ std::optional<CircleFit> fitted_in_circle(const Camera& camera, const Candidate&
   options.bound = false;
   Diagnostics told_of_the_whole;
   const std::optional<Conversion> conversion = convert(camera, options, told_of_the_whole);
-  if (!conversion || conversion->report.fitted_to_cone) return std::nullopt;
+  if (!conversion || conversion->report.angle_reduced) return std::nullopt;
   const PixelDistance distance = distance_to(camera, conversion->camera.model, std::nullopt).in_circle;
   const PixelDistance& whole = candidate.distance.in_circle;
   const bool is_worth_it =
@@ -84,7 +84,7 @@ const Candidate* best(const std::vector<Candidate>& candidates, Admits&& admits)
 
 bool reaches_all(const Candidate& candidate) {
   constexpr double kNoticeable = 0.01;
-  const bool ends_early = !candidate.in_circle && candidate.conversion->report.fitted_to_cone;
+  const bool ends_early = !candidate.in_circle && candidate.conversion->report.angle_reduced;
   return !ends_early && candidate.decisive().no_rays <= kNoticeable;
 }
 
@@ -135,10 +135,10 @@ std::optional<std::vector<ModelsResult::OfCamera>> compare_models(const std::vec
                                                                   std::optional<double> max_angle_rad,
                                                                   Diagnostics& diagnostics) {
   // Errors that concern every model are reported once, here.
-  bool all_have_domains = true;
+  bool all_have_fields_of_view = true;
   for (const Camera& camera : cameras)
-    all_have_domains = domain_of(camera, max_angle_rad, diagnostics).has_value() && all_have_domains;
-  if (!all_have_domains) return std::nullopt;
+    all_have_fields_of_view = field_of_view_of(camera, max_angle_rad, diagnostics).has_value() && all_have_fields_of_view;
+  if (!all_have_fields_of_view) return std::nullopt;
   std::vector<ModelsResult::OfCamera> result;
   result.reserve(cameras.size());
   for (const Camera& camera : cameras) result.push_back({camera, candidates(camera, max_angle_rad)});

@@ -39,8 +39,8 @@ bool is_made_up(const Demand& demand, const Format& from, const Format& to) {
   if (demand.of_frame && from.frame == to.frame) return false;
   if (demand.of == &Format::pair_poses && from.most_cameras <= 2) return false;
   if (demand.stated != nullptr && from.*demand.stated) return false;
-  const bool computed_anew = !demand.of_model.empty();
-  return computed_anew || std::ranges::find(from.demands, demand.name, &Demand::name) == from.demands.end();
+  const bool recomputed = !demand.of_model.empty();
+  return recomputed || std::ranges::find(from.demands, demand.name, &Demand::name) == from.demands.end();
 }
 
 /// The ranges that the target requires of a model's parameters and the source does not.

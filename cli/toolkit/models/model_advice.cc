@@ -2,7 +2,7 @@
 #include "model_advice.h"
 
 #include <fca/code.h>
-#include <fca/convert/reach.h>
+#include <fca/convert/max_angle_table.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +18,9 @@ constexpr double kSameCoverage = 1e-3;  // of the image
 }  // namespace
 
 bool is_better(const ConversionReport& a, const ConversionReport& b) {
-  const double more = b.judgement.coverage.unrepresentable - a.judgement.coverage.unrepresentable;
+  const double more = b.statistics.coverage.unrepresentable - a.statistics.coverage.unrepresentable;
   if (std::abs(more) > kSameCoverage) return more > 0.0;
-  return a.judgement.error.rms < b.judgement.error.rms;
+  return a.statistics.error.rms < b.statistics.error.rms;
 }
 
 namespace {
@@ -29,15 +29,15 @@ bool is_much_better(const ConversionReport& a, const ConversionReport& b) {
   constexpr double kMuchMore = 0.02;  // of the image
   constexpr double kMuchLess = 0.25;
   constexpr double kSeen = 0.1;  // px
-  const double more = b.judgement.coverage.unrepresentable - a.judgement.coverage.unrepresentable;
+  const double more = b.statistics.coverage.unrepresentable - a.statistics.coverage.unrepresentable;
   if (std::abs(more) > kMuchMore) return more > 0.0;
-  return b.judgement.error.rms > kSeen && a.judgement.error.rms < kMuchLess * b.judgement.error.rms;
+  return b.statistics.error.rms > kSeen && a.statistics.error.rms < kMuchLess * b.statistics.error.rms;
 }
 
 Message in_words(const ConversionReport& report) {
   if (report.exact) return {Code::kModelExact, {report.to_model}};
-  const bool covers = report.judgement.coverage.unrepresentable <= kSameCoverage;
-  return {covers ? Code::kModelRms : Code::kModelRmsUpTo, {report.to_model, report.judgement.error.rms, report.scored_to_deg}};
+  const bool covers = report.statistics.coverage.unrepresentable <= kSameCoverage;
+  return {covers ? Code::kModelRms : Code::kModelRmsUpTo, {report.to_model, report.statistics.error.rms, report.scored_to_deg}};
 }
 
 std::optional<ConversionReport> report_as(const StoredModel& stored, const Camera& camera, const ModelChoice& choice,
@@ -58,7 +58,7 @@ std::vector<ConversionReport> better_ones(const Camera& camera, const Conversion
   std::vector<ConversionReport> result;
   for (const StoredModel& stored : models) {
     std::optional<ConversionReport> report = report_as(stored, camera, choice, Objective::kRms);
-    if (report && is_better(*report, than) && report->judgement.error.rms <= kOfUse) result.push_back(*std::move(report));
+    if (report && is_better(*report, than) && report->statistics.error.rms <= kOfUse) result.push_back(*std::move(report));
   }
   std::ranges::stable_sort(result, is_better);
   return result;
@@ -86,7 +86,7 @@ std::optional<Message> best_of_every_version(std::span<const Camera> cameras, co
     if (report && (!best || is_better(*report, *best))) best = std::move(report);
   }
   if (!best) return std::nullopt;
-  return Message{Code::kOlderVersionsRead, {best->to_model, best->judgement.error.rms, best->judgement.error.max}};
+  return Message{Code::kOlderVersionsRead, {best->to_model, best->statistics.error.rms, best->statistics.error.max}};
 }
 
 Message better_models(const Camera& camera, const ConversionReport& report, const Format& format, std::string_view program,
@@ -101,7 +101,7 @@ Message better_models(const Camera& camera, const ConversionReport& report, cons
     const bool may_be_chosen = choice.among.empty() || std::ranges::find(choice.among, model.id) != choice.among.end();
     if (stored != nullptr && may_be_chosen) {
       read.push_back(*stored);
-    } else if (!sees_ahead_only(model.id)) {
+    } else if (!is_perspective(model.id)) {
       elsewhere.emplace_back().model = model.id;
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fca/folded_name.h>
 #include <fca/formats/program_names.h>
 #include <fca/formats/verdict.h>
+#include <fca/normalised_id.h>
 #include <fca/toolkit/programs.h>
 
 #include <algorithm>
@@ -38,8 +38,8 @@ std::vector<std::string> program_ids() {
 
 const consumers::Consumer* find_program(std::string_view typed) {
   const auto all = consumers::all_consumers();
-  const auto found =
-      std::ranges::find_if(all, [typed](const consumers::Consumer& each) { return folded(each.id) == folded(typed); });
+  const auto found = std::ranges::find_if(
+      all, [typed](const consumers::Consumer& each) { return normalised_id(each.id) == normalised_id(typed); });
   if (found != all.end()) return &*found;
   if (const Format* format = find_format(typed)) return consumers::own_program(format->id, true);
   const ProgramName* name = find_program_name(typed);

@@ -5,7 +5,7 @@
 
 #include <fca/code.h>
 #include <fca/formats/text/source.h>
-#include <fca/rig/lit_circle.h>
+#include <fca/rig/image_circle.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +71,7 @@ Message named(const std::vector<std::string>& paths) {
 }
 
 /// The images that show the circle on their own; all images if none does.
-std::vector<std::string> witnesses(const LitCircleSearch& search, const LensCircle& circle,
+std::vector<std::string> witnesses(const ImageCircleSearch& search, const LensCircle& circle,
                                    const std::vector<std::string>& paths) {
   std::vector<std::string> result;
   for (const std::size_t image : search.showing(circle)) result.push_back(paths.at(image));
@@ -95,7 +95,7 @@ void warn_of_doubts(const Camera& camera, const std::string& path, Diagnostics& 
 }
 
 /// Warns about images that show another circle: they are from another camera, or show something else.
-void warn_of_others(const LitCircleSearch& search, const Camera& camera, const std::vector<std::string>& paths,
+void warn_of_others(const ImageCircleSearch& search, const Camera& camera, const std::vector<std::string>& paths,
                     const std::vector<std::string>& witnesses, Diagnostics& diagnostics) {
   for (const std::size_t image : search.contradicting(*camera.lens_circle)) {
     const LensCircle other = *search.alone(image);
@@ -130,7 +130,7 @@ std::optional<LensCircle> in_image_of(const Camera& camera, const ImageChange& c
 /// A camera as its sample images show it (before or after the change), and the search for their circle.
 struct Seen {
   Camera camera;
-  LitCircleSearch search;
+  ImageCircleSearch search;
 };
 
 /// Searches for the circle in a camera's images; nullopt, with an error, if an image cannot be read or does not have the
@@ -143,7 +143,7 @@ std::optional<Seen> look_at(const Camera& camera, const std::vector<std::string>
     if (!image) return std::nullopt;
     if (!seen) {
       const Camera taken = as_taken(camera, change, *image);
-      seen = Seen{taken, LitCircleSearch(principal_point(taken.model))};
+      seen = Seen{taken, ImageCircleSearch(principal_point(taken.model))};
     }
     if (!has_size_of(seen->camera, !change.changes_nothing(), *image, path, diagnostics)) return std::nullopt;
     seen->search.add(brightest(planes(*image)));  // the brightest colour of each pixel, since light may be blue only
@@ -153,8 +153,8 @@ std::optional<Seen> look_at(const Camera& camera, const std::vector<std::string>
 }
 
 /// Warns about images that show another circle than most, and searches again without them. False, with an error, if that fails.
-bool leave_out_others(const Camera& camera, std::vector<std::string>& paths, const ImageChange& change, Files& files,
-                      Seen& seen, Diagnostics& diagnostics) {
+bool remove_others(const Camera& camera, std::vector<std::string>& paths, const ImageChange& change, Files& files, Seen& seen,
+                   Diagnostics& diagnostics) {
   const std::vector<std::size_t> others = seen.search.contradicting(*seen.camera.lens_circle);
   if (others.empty()) return true;
   warn_of_others(seen.search, seen.camera, paths, witnesses(seen.search, *seen.camera.lens_circle, paths), diagnostics);
@@ -183,10 +183,10 @@ bool add_circle(const SampleImages& sample, const ImageChange& change, Files& fi
                     {paths.front(), 0, 0});
     return true;
   }
-  if (!leave_out_others(camera, paths, change, files, *seen, diagnostics)) return false;
+  if (!remove_others(camera, paths, change, files, *seen, diagnostics)) return false;
   LensCircle& circle = *seen->camera.lens_circle;
   const std::vector<std::string> shown_by = witnesses(seen->search, circle, paths);
-  circle.why = {Code::kLitCircleOf, {named(shown_by)}};
+  circle.why = {Code::kImageCircleOf, {named(shown_by)}};
   warn_of_doubts(seen->camera, shown_by.front(), diagnostics);
   camera.lens_circle = in_image_of(camera, change, seen->camera);
   if (!camera.lens_circle) diagnostics.add(Code::kCircleInStretchedImages, {camera.name}, {paths.front(), 0, 0});

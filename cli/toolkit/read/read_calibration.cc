@@ -6,7 +6,7 @@
 #include <fca/convert/uncertainty.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/image_change.h>
-#include <fca/rig/leave_out.h>
+#include <fca/rig/remove_frame.h>
 #include <fca/toolkit/inputs.h>
 #include <fca/toolkit/read.h>
 
@@ -97,7 +97,7 @@ void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
     if (rig.rectified && std::ranges::any_of(rig.rectified->views, is_of_it)) rig.rectified.reset();
     std::erase_if(rig.uncertainties, [&name](const Uncertainty& each) { return each.camera == name; });
     std::erase_if(rig.pose_uncertainties, [&name](const PoseUncertainty& each) { return each.a == name || each.b == name; });
-    leave_out(name, rig);
+    remove_frame(name, rig);
   }
   rig.cameras = std::move(cameras);
 }

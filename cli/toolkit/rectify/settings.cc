@@ -122,7 +122,7 @@ bool write_settings(const RectifyRequest& request, const Calibration& input, Rec
   const bool images = to.rectified == RectifiedFiles::kImages;
   const Rig rig = images ? rig_of_images(input.rig, result) : rig_of_cameras(result);
   WriteOptions options;
-  options.anew = true;
+  options.rewrite = true;
   options.layout = name_of(request.layout);
   options.extension = request.extension;
   std::optional<Written> written = write_calibration(to, nullptr, rig, options, result.diagnostics);

@@ -2,7 +2,7 @@
 #include "degrees.h"
 
 #include <fca/convert/angle_limit.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/rig/rotation.h>
 #include <fca/toolkit/image_field.h>
 
@@ -26,10 +26,10 @@ using ValueOf = std::function<std::optional<double>(const Pixel&, const Ray&)>;
 std::optional<ImageField> field_of(const Camera& camera, std::optional<double> limit_rad, int most_cells,
                                    const ValueOf& value_of) {
   Diagnostics discarded;
-  const std::optional<Domain> domain = domain_of(camera, limit_rad, discarded);
-  if (!domain) return std::nullopt;
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, limit_rad, discarded);
+  if (!field_of_view) return std::nullopt;
   ImageField field;
-  field.image = domain->size;
+  field.image = field_of_view->size;
   const double scale = std::min(1.0, static_cast<double>(most_cells) / std::max(field.image.width, field.image.height));
   field.columns = std::max(1, static_cast<int>(std::lround(scale * field.image.width)));
   field.rows = std::max(1, static_cast<int>(std::lround(scale * field.image.height)));
@@ -37,11 +37,11 @@ std::optional<ImageField> field_of(const Camera& camera, std::optional<double> l
   field.values.assign(cells, kNone);
   field.parts.assign(cells, Part::kOutsideLens);
   const Lens lens(camera.model);
-  const AngleLimit limit(domain->max_angle_rad);
+  const AngleLimit limit(field_of_view->max_angle_rad);
   for (int row = 0; row < field.rows; ++row) {
     for (int column = 0; column < field.columns; ++column) {
       const Pixel pixel = field.pixel(column, row);
-      const std::optional<Ray> ray = domain->is_lit(pixel) ? lens.ray(pixel) : std::nullopt;
+      const std::optional<Ray> ray = field_of_view->is_lit(pixel) ? lens.ray(pixel) : std::nullopt;
       if (!ray || !limit.admits(*ray)) continue;
       const std::optional<double> value = value_of(pixel, *ray);
       field.parts[field.index(column, row)] = value ? Part::kScored : Part::kUnrepresentable;
@@ -62,10 +62,10 @@ double around(int i) { return 2.0 * std::numbers::pi * i / kAround; }
 }  // namespace
 
 std::optional<ImageField> error_field(const Camera& source, const CameraModel& target, std::optional<double> limit_rad,
-                                      double reach_rad, int most_cells, const Transform* rotation) {
-  const AngleLimit reach(reach_rad + kSameAngle);
+                                      double max_angle_rad, int most_cells, const Transform* rotation) {
+  const AngleLimit max_angle(max_angle_rad + kSameAngle);
   return field_of(source, limit_rad, most_cells, [&](const Pixel& pixel, const Ray& ray) -> std::optional<double> {
-    if (!reach.admits(ray)) return std::nullopt;
+    if (!max_angle.admits(ray)) return std::nullopt;
     const std::optional<Pixel> there = project(target, rotation != nullptr ? rotated(*rotation, ray) : ray);
     if (!there) return std::nullopt;
     return std::hypot((*there)[0] - pixel[0], (*there)[1] - pixel[1]);
@@ -77,7 +77,7 @@ std::optional<ImageField> angle_field(const Camera& camera, std::optional<double
                   [](const Pixel&, const Ray& ray) { return std::optional(angle_from_axis(ray) * kDegreesPerRadian); });
 }
 
-std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel& target, double reach_rad,
+std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel& target, double max_angle_rad,
                                         const Transform* rotation) {
   std::vector<ProfilePoint> profile;
   if (!source.image_size) return profile;
@@ -85,7 +85,7 @@ std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel&
   const double bottom = source.image_size->height - 1.0;
   constexpr int kAngles = 240;
   for (int i = 0; i <= kAngles; ++i) {
-    const double angle = reach_rad * i / kAngles;
+    const double angle = max_angle_rad * i / kAngles;
     double squares = 0.0;
     double worst = 0.0;
     int count = 0;

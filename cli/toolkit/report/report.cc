@@ -21,7 +21,7 @@ ConvertResult fitted(const ConvertRequest& request, const Reading& reading) {
   of_no_format.model = request.model->id;
   ConvertOptions options = options_for(of_no_format, {.request = request});
   options.degree = request.degree;
-  options.reach = true;
+  options.max_angle_table = true;
   for (const Camera& camera : reading.calibration->rig.cameras) {
     std::optional<Conversion> conversion = convert(camera, options, result.diagnostics);
     if (!conversion) {

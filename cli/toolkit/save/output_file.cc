@@ -89,7 +89,7 @@ class StagedFile {
     if (file_.get() < 0) {  // not every file system has files without names, and without /proc they cannot be linked
       const std::string name = temporary_name(folder);
       file_ = Descriptor(::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, first));
-      if (file_.get() < 0) return failure(Code::kCannotCreateBeside, target);
+      if (file_.get() < 0) return failure(Code::kCannotCreateNextTo, target);
       temporary_ = name;
     }
     ::flock(file_.get(), LOCK_EX | LOCK_NB);

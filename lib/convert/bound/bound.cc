@@ -179,13 +179,15 @@ class Bounder {
   using RadialPair = internal::RadialPair<N>;
 
  public:
-  Bounder(const CameraModel& source, const CameraModel& target, const Domain& domain, double reach, double seen, int budget)
+  Bounder(const CameraModel& source, const CameraModel& target, const FieldOfView& field_of_view, double max_angle_rad,
+          double seen, int budget)
       : source_(source),
         target_(target),
-        last_{domain.size.width - 1.0, domain.size.height - 1.0},
-        max_angle_(std::min(std::numbers::pi,
-                            std::min({domain.max_angle_rad, reach, max_angle(source), max_angle(target)}) + kAngleSlack)),
-        circle_(domain.circle),
+        last_{field_of_view.size.width - 1.0, field_of_view.size.height - 1.0},
+        max_angle_(std::min(
+            std::numbers::pi,
+            std::min({field_of_view.max_angle_rad, max_angle_rad, max_angle(source), max_angle(target)}) + kAngleSlack)),
+        circle_(field_of_view.circle),
         budget_(budget) {
     result_.seen = seen;
     for (int i = 0; i < kAzimuths; ++i) {
@@ -437,17 +439,18 @@ double rounding_of(const CameraModel& source, const CameraModel& target, const I
 
 }  // namespace
 
-ErrorBound bound_error(const CameraModel& source, const CameraModel& target, const Domain& domain, double target_reach_rad,
-                       double seen, int budget) {
+ErrorBound bound_error(const CameraModel& source, const CameraModel& target, const FieldOfView& field_of_view,
+                       double target_max_angle_rad, double seen, int budget) {
   const bool bounded = std::visit(
       []<class S, class T>(const Intrinsics<S>&, const Intrinsics<T>&) { return HasPolarForm<S> && HasPolarForm<T>; }, source,
       target);
   if (!bounded) return {};
   const auto has_tilt = [](const auto& model) { return is_tilted(model); };
   const bool tilted = std::visit(has_tilt, source) || std::visit(has_tilt, target);
-  ErrorBound result = tilted ? Bounder<kTiltedHarmonics>(source, target, domain, target_reach_rad, seen, budget).bound()
-                             : Bounder<kHarmonics>(source, target, domain, target_reach_rad, seen, budget).bound();
-  result.bound += rounding_of(source, target, domain.size);
+  ErrorBound result = tilted
+                          ? Bounder<kTiltedHarmonics>(source, target, field_of_view, target_max_angle_rad, seen, budget).bound()
+                          : Bounder<kHarmonics>(source, target, field_of_view, target_max_angle_rad, seen, budget).bound();
+  result.bound += rounding_of(source, target, field_of_view.size);
   return result;
 }
 

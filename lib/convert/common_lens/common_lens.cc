@@ -6,7 +6,7 @@
 #include "../fitting/pixel_jacobian.h"
 #include "../sampling/weights.h"
 
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 
 #include <Eigen/Core>
 
@@ -119,10 +119,10 @@ std::optional<std::vector<CameraModel>> fit_common_lens(std::span<const Camera> 
   Samples samples;
   const FitWeight counted = internal::has_equal_weights(weight) ? FitWeight() : weight;
   for (const Camera& source : sources) {
-    const std::optional<Domain> domain = domain_of(source, max_angle_rad, diagnostics);
-    if (!domain) return std::nullopt;
+    const std::optional<FieldOfView> field_of_view = field_of_view_of(source, max_angle_rad, diagnostics);
+    if (!field_of_view) return std::nullopt;
     constexpr int kSamples = 800;
-    samples.push_back(internal::weighted_samples(counted, source.model, *domain, kSamples).samples);
+    samples.push_back(internal::weighted_samples(counted, source.model, *field_of_view, kSamples).samples);
   }
   // One fit starts from each camera's lens parameters.
   std::optional<Found> best;

@@ -31,7 +31,7 @@ void score_pixels(const ImageSize& size, LatticePoints& points) {
 class Lattice {
  public:
   Lattice(const Scorer& scorer, const LatticeSink& sink)
-      : scored_(scorer, sink), unscored_(scorer, sink), cutter_(scorer), size_(scorer.domain().size) {
+      : scored_(scorer, sink), unscored_(scorer, sink), cutter_(scorer), size_(scorer.field_of_view().size) {
     const Pixel axis = scorer.source().centre().point;
     for (std::size_t i = 0; i < 2; ++i) centre_[i] = std::clamp(axis[i], 0.0, last()[i]);
   }
@@ -78,7 +78,7 @@ class Lattice {
   }
 
   /// A sum over the pixels of a line is the integral from the first to the last one and, at each end, f(end) / 2 +
-  /// (f(end) - f(next to the end)) / 12 (Euler and Maclaurin, with a difference for the slope).
+  /// (f(end) - f(next to the end)) / 12 (Euler and Maclaurin, with a difference for the derivative).
   static constexpr double kOutermost = 1.0 / 2.0 + 1.0 / 12.0;
   static constexpr double kNextToOutermost = -1.0 / 12.0;
 
@@ -175,7 +175,7 @@ class Lattice {
     constexpr double kLeast = 20.0;
     constexpr double kMost = 1e7;          // here every part has kMostNodes: of a tiny region there are fewer points
     constexpr double kLeastGrowth = 1.25;  // parts at their least or most number of nodes do not grow with the density
-    // One point of each spoke lies at the edge of the domain and may turn out to be outside.
+    // One point of each spoke lies at the edge of the field of view and may turn out to be outside.
     const std::size_t fewest = kFewestPoints + spokes_.size();
     double density = kLeast;
     while (density < kMost) {
@@ -236,7 +236,7 @@ class Lattice {
 
 void score_lattice(const Scorer& scorer, const LatticeSink& sink) {
   constexpr long long kPixels = 5000;  // about as many as the lattice has points
-  const ImageSize& size = scorer.domain().size;
+  const ImageSize& size = scorer.field_of_view().size;
   if (1LL * size.width * size.height <= kPixels) {
     LatticePoints points(scorer, sink);
     score_pixels(size, points);

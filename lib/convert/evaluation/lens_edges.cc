@@ -10,8 +10,8 @@ namespace fca::internal {
 
 namespace {
 
-/// Factors that keep points on an edge inside the domain in spite of rounding. Where a lens folds, the radius hardly changes
-/// with the angle, so that an angle needs the larger margin there.
+/// Factors that keep points on an edge inside the field of view in spite of rounding. Where a lens folds, the radius hardly
+/// changes with the angle, so that an angle needs the larger margin there.
 constexpr double kInside = 1.0 - 1e-9;
 constexpr double kInsideFold = 1.0 - 1e-7;
 
@@ -19,12 +19,12 @@ constexpr double kInsideFold = 1.0 - 1e-7;
 double scored_angle(const Scorer& scorer) {
   double fold = max_angle(*scorer.source().model());
   if (scorer.target() != nullptr) fold = std::min(fold, max_angle(*scorer.target()));
-  return std::min(kInside * std::min(scorer.domain().max_angle_rad, scorer.target_reach_rad()), kInsideFold * fold);
+  return std::min(kInside * std::min(scorer.field_of_view().max_angle_rad, scorer.target_max_angle_rad()), kInsideFold * fold);
 }
 
 /// True if a corner of the image has no ray, or a ray beyond that angle. Angles are largest in the corners.
 bool ends_inside(const Scorer& scorer, double angle_rad) {
-  const ImageSize& size = scorer.domain().size;
+  const ImageSize& size = scorer.field_of_view().size;
   for (const double u : {0.0, size.width - 1.0}) {
     for (const double v : {0.0, size.height - 1.0}) {
       const std::optional<Ray> ray = scorer.source().ray({u, v});
@@ -37,22 +37,22 @@ bool ends_inside(const Scorer& scorer, double angle_rad) {
 }  // namespace
 
 std::vector<LensEdge> lens_edges(const Scorer& scorer) {
-  const ImageSize& size = scorer.domain().size;
+  const ImageSize& size = scorer.field_of_view().size;
   const auto in_image = [size](const std::optional<Pixel>& pixel) {
     return pixel && size.holds(*pixel) ? pixel : std::nullopt;
   };
   std::vector<LensEdge> edges;
-  const double cone = scored_angle(scorer);
-  if (ends_inside(scorer, cone)) {
-    const auto at = [&scorer, in_image, cone](double azimuth) {
-      const Ray ray = {std::sin(cone) * std::cos(azimuth), std::sin(cone) * std::sin(azimuth), std::cos(cone)};
+  const double max_angle = scored_angle(scorer);
+  if (ends_inside(scorer, max_angle)) {
+    const auto at = [&scorer, in_image, max_angle](double azimuth) {
+      const Ray ray = {std::sin(max_angle) * std::cos(azimuth), std::sin(max_angle) * std::sin(azimuth), std::cos(max_angle)};
       return in_image(project(*scorer.source().model(), ray));
     };
     constexpr double kNear = 1e-5;
-    const double near = std::cos(cone) + kNear * (1.0 - std::cos(cone));
+    const double near = std::cos(max_angle) + kNear * (1.0 - std::cos(max_angle));
     edges.push_back({at, [near](const Point& point) { return point.cosine < near; }});
   }
-  if (const std::optional<LensCircle>& circle = scorer.domain().circle) {
+  if (const std::optional<LensCircle>& circle = scorer.field_of_view().circle) {
     LensCircle inner = *circle;
     inner.radius_px *= kInside;
     constexpr double kNear = 1e-3;  // px

@@ -20,9 +20,9 @@ struct LensEdge {
   std::function<bool(const Point& point)> passes;
 };
 
-/// The edges that may lie in the image: one at the largest scored angle (of the domain, of the target's reach or of a model,
-/// whichever is smallest), and the rim of the domain's circle if it has one. The scorer's source must be a model. The edges
-/// refer to the scorer, which must outlive them.
+/// The edges that may lie in the image: one at the largest scored angle (of the field of view, of the target's maximum angle or
+/// of a model, whichever is smallest), and the rim of the field of view's circle if it has one. The scorer's source must be a
+/// model. The edges refer to the scorer, which must outlive them.
 [[nodiscard]] std::vector<LensEdge> lens_edges(const Scorer& scorer);
 
 /// Scores the edge at `azimuths` equally spaced azimuths, the first at 0. A point outside the image has the verdict

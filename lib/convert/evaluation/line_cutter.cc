@@ -28,10 +28,10 @@ double edge_at(double angle) { return angle < std::numbers::pi ? half_sine(std::
 
 LineCutter::LineCutter(const Scorer& scorer)
     : scorer_(scorer),
-      lens_(edge_at(scorer.domain().max_angle_rad)),
-      scored_(std::min(lens_, edge_at(scorer.target_reach_rad()))) {
-  const double last = scorer.domain().max_angle_rad;
-  std::vector<double> angles = {std::min(last, scorer.target_reach_rad()), last};
+      lens_(edge_at(scorer.field_of_view().max_angle_rad)),
+      scored_(std::min(lens_, edge_at(scorer.target_max_angle_rad()))) {
+  const double last = scorer.field_of_view().max_angle_rad;
+  std::vector<double> angles = {std::min(last, scorer.target_max_angle_rad()), last};
   for (double angle = kBandRad; angle < last; angle += kBandRad) angles.push_back(angle);
   radial_ = RadialBorders::of(scorer.source(), angles);
   if (radial_) return;
@@ -71,7 +71,7 @@ void LineCutter::look_along(std::span<const Line> lines) {
 std::span<const LineCutter::Piece> LineCutter::pieces(std::size_t i, const Line& line) {
   pieces_.clear();
   begin_ = 0.0;
-  lit_ = lit_part(line);
+  lit_ = part_in_circle(line);
   if (radial_) {
     cut_at_radii(line);
     return pieces_;
@@ -99,8 +99,8 @@ void LineCutter::cut_at_radii(const Line& line) {
   for (const double place : places_) add_piece(place, scored.holds(0.5 * (begin_ + place)));
 }
 
-LineSpan LineCutter::lit_part(const Line& line) const {
-  const std::optional<LensCircle>& circle = scorer_.domain().circle;
+LineSpan LineCutter::part_in_circle(const Line& line) const {
+  const std::optional<LensCircle>& circle = scorer_.field_of_view().circle;
   if (!circle) return {0.0, 1.0};
   return LinePast({line.from[0] - circle->centre[0], line.from[1] - circle->centre[1]},
                   {line.to[0] - line.from[0], line.to[1] - line.from[1]})
@@ -152,17 +152,17 @@ std::optional<double> LineCutter::crossing_of_edge(const Line& line, const Step&
   constexpr double kVeryFine = 1e-5;
   const double whole = step.end - step.begin;
   double at = step.crossing(edge);
-  double slope = (step.to - step.from + ((at - step.begin) / whole - 0.5) * step.bend) / whole;
+  double derivative = (step.to - step.from + ((at - step.begin) / whole - 0.5) * step.bend) / whole;
   double before = at;
   double seen = kNone;
   constexpr int kMostRounds = 8;
   for (int round = 0; round < kMostRounds; ++round) {
     const double found = ask(line.at(at));
     if (!(std::abs(found - edge) < kClose)) return std::nullopt;
-    if (seen != kNone && found != seen) slope = (found - seen) / (at - before);
+    if (seen != kNone && found != seen) derivative = (found - seen) / (at - before);
     before = at;
     seen = found;
-    at += (edge - found) / slope;
+    at += (edge - found) / derivative;
     if (!(at > step.begin && at <= step.end)) return std::nullopt;
     if (std::abs(at - before) < (round == 0 ? kVeryFine : kFine)) return at;
   }

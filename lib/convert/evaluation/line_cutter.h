@@ -13,8 +13,8 @@
 
 namespace fca::internal {
 
-/// Cuts lines where they cross the borders of the angle bands, the edge of the domain and the edge of the target's reach.
-/// Verdict and band are constant on each piece, so that its errors are smooth.
+/// Cuts lines where they cross the borders of the angle bands, the edge of the field of view and the edge of the target's
+/// maximum angle. Verdict and band are constant on each piece, so that its errors are smooth.
 class LineCutter {
  public:
   explicit LineCutter(const Scorer& scorer);
@@ -23,7 +23,7 @@ class LineCutter {
   struct Piece {
     double begin;
     double end;
-    bool scored;  ///< The piece lies inside the domain and inside the target's reach.
+    bool scored;  ///< The piece lies inside the field of view and inside the target's maximum angle.
     [[nodiscard]] double share() const { return end - begin; }
   };
 
@@ -36,7 +36,7 @@ class LineCutter {
  private:
   static constexpr std::size_t kSteps = 12;
 
-  [[nodiscard]] LineSpan lit_part(const Line& line) const;
+  [[nodiscard]] LineSpan part_in_circle(const Line& line) const;
   [[nodiscard]] double ask(const Pixel& pixel) const;
 
   /// Cuts a line by the closed form of RadialBorders, which must exist.
@@ -49,11 +49,11 @@ class LineCutter {
     add_piece(at, scored);
   }
 
-  void add_piece(double at, bool in_cone) {
+  void add_piece(double at, bool in_angle) {
     constexpr double kSliver = 1e-4;
     at = std::max(at, begin_);
     const double middle = 0.5 * (begin_ + at);
-    const bool scored = in_cone && lit_.holds(middle);
+    const bool scored = in_angle && lit_.holds(middle);
     if (at - begin_ > kSliver || pieces_.empty()) {
       pieces_.push_back({begin_, at, scored});
     } else {
@@ -88,8 +88,8 @@ class LineCutter {
   /// comes to a pixel without a ray, or does not converge.
   [[nodiscard]] std::optional<double> crossing_of_edge(const Line& line, const Step& step, double edge) const;
 
-  /// Shortens a step that leaves the domain, so that it ends at the domain's edge. False if that place was not found; `step` is
-  /// then unchanged.
+  /// Shortens a step that leaves the field of view, so that it ends at the field of view's edge. False if that place was not
+  /// found; `step` is then unchanged.
   [[nodiscard]] bool end_at_lens(const Line& line, Step& step) const;
 
   [[nodiscard]] double place_of(const Line& line, const Step& step, double border) const {
@@ -104,13 +104,13 @@ class LineCutter {
   /// far from linear.
   [[nodiscard]] double halve_to(const Line& line, double border, double inside, double outside) const;
 
-  /// Finds where the domain's rays end between `there` (a place with a ray) and `none` (a place without). `none` becomes the
-  /// last place with a ray, `seen` its half sine.
+  /// Finds where the field of view's rays end between `there` (a place with a ray) and `none` (a place without). `none` becomes
+  /// the last place with a ray, `seen` its half sine.
   void find_last_ray(const Line& line, double there, double& none, double& seen) const;
 
   const Scorer& scorer_;
   // Half sines:
-  double lens_;    ///< of the domain's largest angle
+  double lens_;    ///< of the field of view's largest angle
   double scored_;  ///< of the largest angle that is scored
   std::vector<double> borders_;
   std::optional<RadialBorders> radial_;  ///< The edge of the scored region first; nullopt: search for the borders.
@@ -118,7 +118,8 @@ class LineCutter {
   std::vector<double> seen_;
   std::vector<Piece> pieces_;
   double begin_ = 0.0;
-  LineSpan lit_{0.0, 1.0};  ///< The part of the current line inside the domain's circle; all of it if there is no circle.
+  /// The part of the current line inside the field of view's circle; all of it if there is no circle.
+  LineSpan lit_{0.0, 1.0};
 };
 
 }  // namespace fca::internal

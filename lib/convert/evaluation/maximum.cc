@@ -26,7 +26,7 @@ Point climb(const Scorer& scorer, const Pixel& start) {
                                                  {-kDiagonal, kDiagonal},
                                                  {kDiagonal, -kDiagonal},
                                                  {-kDiagonal, -kDiagonal}}};
-  const ImageSize& size = scorer.domain().size;
+  const ImageSize& size = scorer.field_of_view().size;
   const Pixel last = {size.width - 1.0, size.height - 1.0};
   Point best = scorer.at(start);
   std::size_t points = 0;
@@ -63,7 +63,7 @@ ErrorBand& band_of(const Point& point, std::vector<ErrorBand>& bands) {
   return bands[band];
 }
 
-void keep_if_worse(const Point& point, Judgement& result) {
+void keep_if_worse(const Point& point, ErrorStatistics& result) {
   if (point.verdict != Verdict::kScored || point.error < result.error.max) return;
   result.error.max = point.error;
   result.error.max_at = point.pixel;
@@ -117,7 +117,7 @@ Point end_of_edge(const Scorer& scorer, const LensEdge& edge, double azimuth, do
 }
 
 /// Climbs from those points of an edge near which the error may be larger than the largest so far.
-void climb_edge(const Scorer& scorer, const LensEdge& edge, Judgement& result) {
+void climb_edge(const Scorer& scorer, const LensEdge& edge, ErrorStatistics& result) {
   constexpr int kAzimuths = 120;
   constexpr double kSpacing = 2.0 * std::numbers::pi / kAzimuths;
   const std::vector<Point> rim = points_of(scorer, edge, kAzimuths);
@@ -143,8 +143,8 @@ void climb_edge(const Scorer& scorer, const LensEdge& edge, Judgement& result) {
 /// Climbs from the points, the worst first. Omits points near an earlier start or its top, and points on an edge, which
 /// climb_edge() has searched.
 void climb_from(const Scorer& scorer, std::span<const Point> points, std::span<const LensEdge> edges, std::size_t most,
-                Judgement& result) {
-  const ImageSize& size = scorer.domain().size;
+                ErrorStatistics& result) {
+  const ImageSize& size = scorer.field_of_view().size;
   const double apart = std::max(size.width, size.height) / 20.0;
   std::vector<Pixel> climbed;
   for (const Point& point : points) {
@@ -163,9 +163,9 @@ void climb_from(const Scorer& scorer, std::span<const Point> points, std::span<c
 }  // namespace
 
 /// Climbs along the edges of the scored region, which climb() cannot follow, and from the worst points. The search for the
-/// bound covers the whole domain: the largest error that it meets is at most 1 % below the maximum, and one more climb from
-/// there finds that.
-void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove, Judgement& result) {
+/// bound covers the whole field of view: the largest error that it meets is at most 1 % below the maximum, and one more climb
+/// from there finds that.
+void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove, ErrorStatistics& result) {
   if (worst.empty()) return;
   constexpr std::size_t kAll = 12;
   constexpr std::size_t kFew = 4;
@@ -178,7 +178,8 @@ void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove
   climb_from(scorer, worst, edges, provable ? kFew : kAll, result);
   if (!provable) return;
   const double climbed = result.error.max;
-  const ErrorBound proof = bound_error(*source, *scorer.target(), scorer.domain(), scorer.target_reach_rad(), climbed);
+  const ErrorBound proof =
+      bound_error(*source, *scorer.target(), scorer.field_of_view(), scorer.target_max_angle_rad(), climbed);
   if (proof.seen > climbed) {
     keep_if_worse(climb(scorer, proof.seen_at), result);
   }

@@ -12,6 +12,6 @@ namespace fca::internal {
 
 /// Replaces the largest error of `result` by a local maximum between the scored points, if that is larger. With `prove`, and if
 /// source and target are both models, also proves an upper bound of the error. `worst`: points to climb from, the worst first.
-void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove, Judgement& result);
+void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove, ErrorStatistics& result);
 
 }  // namespace fca::internal

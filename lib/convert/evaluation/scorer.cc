@@ -19,20 +19,21 @@ constexpr double kNowhere = 2.0;
 
 }  // namespace
 
-Scorer::Scorer(Lens source, const CameraModel* model, const Projection* program, const Domain& domain, double target_reach_rad)
+Scorer::Scorer(Lens source, const CameraModel* model, const Projection* program, const FieldOfView& field_of_view,
+               double target_max_angle_rad)
     : source_(std::move(source)),
       model_(model),
       program_(program),
-      domain_(domain),
-      lens_(domain.max_angle_rad),
-      reach_(target_reach_rad),
+      field_of_view_(field_of_view),
+      lens_(field_of_view.max_angle_rad),
+      max_angle_(target_max_angle_rad),
       surely_reached_(0.0),
       surely_scored_(kNowhere) {
   if (source_.model() != nullptr && validate(*source_.model()).empty()) rays_.emplace(*source_.model(), lens_.angle);
   if (model_ == nullptr) return;
   const double last = max_angle(*model_);
-  reach_ = AngleLimit(std::min(target_reach_rad, last + kLastAngleSlack));
-  surely_reached_ = AngleLimit(std::min(target_reach_rad, last - kLastAngleSlack));
+  max_angle_ = AngleLimit(std::min(target_max_angle_rad, last + kLastAngleSlack));
+  surely_reached_ = AngleLimit(std::min(target_max_angle_rad, last - kLastAngleSlack));
   if (validate(*model_).empty()) errors_.emplace(*model_, std::min(lens_.angle, surely_reached_.angle));
   surely_scored_ = std::max(lens_.cosine, surely_reached_.cosine) + AngleLimit::kClose;
 }
@@ -54,7 +55,7 @@ bool Scorer::score(Batch& batch, std::size_t count) const {
   } else {
     std::fill_n(batch.error.begin(), count, kAskModel);
   }
-  if (!domain_.circle && all_within(batch, count, surely_scored_)) {
+  if (!field_of_view_.circle && all_within(batch, count, surely_scored_)) {
     std::fill_n(batch.verdict.begin(), count, Verdict::kScored);
     return true;
   }
@@ -64,7 +65,7 @@ bool Scorer::score(Batch& batch, std::size_t count) const {
 
 Verdict Scorer::look_closer(Batch& batch, std::size_t i) const {
   const Pixel pixel = {batch.u[i], batch.v[i]};
-  if (batch.z[i] == kNoRay || !domain_.is_lit(pixel)) return Verdict::kOutsideLens;
+  if (batch.z[i] == kNoRay || !field_of_view_.is_lit(pixel)) return Verdict::kOutsideLens;
   const bool computed = std::isfinite(batch.z[i]);
   if (!computed) {
     const std::optional<Ray> ray = source_.ray(pixel);
@@ -76,7 +77,7 @@ Verdict Scorer::look_closer(Batch& batch, std::size_t i) const {
   const Ray ray = {batch.x[i], batch.y[i], batch.z[i]};
   if (!lens_.admits(ray)) return Verdict::kOutsideLens;
   if (computed && surely_reached_.surely_admits(ray[2]) && std::isfinite(batch.error[i])) return Verdict::kScored;
-  if (!reach_.admits(ray)) return Verdict::kUnrepresentable;
+  if (!max_angle_.admits(ray)) return Verdict::kUnrepresentable;
   const std::optional<Pixel> image = model_ != nullptr ? project(*model_, ray) : (*program_)(ray);
   if (!image) return Verdict::kUnrepresentable;
   const double du = (*image)[0] - pixel[0];

@@ -11,7 +11,7 @@ namespace fca::internal {
 
 /// An evaluation before its maximum is polished and its bound proven, and the points at which to begin that.
 struct Score {
-  Judgement judgement;
+  ErrorStatistics statistics;
   std::vector<Point> worst;
 };
 
@@ -20,6 +20,6 @@ struct Score {
 
 /// The second stage: completes the result of score_on_lattice(). Scores every pixel instead if the options ask for it, or if
 /// the largest error is so far above the rms that a lattice cannot tell how many pixels are near it.
-[[nodiscard]] Judgement judge_all(const Scorer& scorer, Score lattice, const JudgeOptions& options);
+[[nodiscard]] ErrorStatistics evaluate_all(const Scorer& scorer, Score lattice, const EvaluateOptions& options);
 
 }  // namespace fca::internal

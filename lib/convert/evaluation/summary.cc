@@ -178,11 +178,11 @@ std::array<double, N> Summary::percentiles(const std::array<double, N>& shares) 
   return result;
 }
 
-Judgement Summary::judgement(const Domain& domain) const {
-  Judgement result;
-  result.coverage.max_angle_deg = domain.max_angle_rad / kRadiansPerDegree;
-  result.coverage.why = domain.why;
-  result.coverage.circle = domain.circle;
+ErrorStatistics Summary::statistics(const FieldOfView& field_of_view) const {
+  ErrorStatistics result;
+  result.coverage.max_angle_deg = field_of_view.max_angle_rad / kRadiansPerDegree;
+  result.coverage.why = field_of_view.why;
+  result.coverage.circle = field_of_view.circle;
   // From pixels to shares of the image, which sum to 1.
   const double scored = weight(Verdict::kScored);
   const double outside = weight(Verdict::kOutsideLens);

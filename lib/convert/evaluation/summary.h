@@ -20,7 +20,7 @@ class Summary {
   /// The same for points that weigh 1 each and have no spread, as pixels do. It takes a third of the time.
   void add_pixels(const Batch& batch, std::size_t count);
   /// The evaluation result without a bound. Its maximum is the error of the worst point.
-  [[nodiscard]] Judgement judgement(const Domain& domain) const;
+  [[nodiscard]] ErrorStatistics statistics(const FieldOfView& field_of_view) const;
   /// The worst points, at most kWorst, the worst first.
   [[nodiscard]] const std::vector<Point>& worst() const { return worst_; }
   [[nodiscard]] long long count(Verdict verdict) const;

@@ -3,19 +3,19 @@
 
 #include "stages.h"
 
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 #include <fca/rig/rotation.h>
 
 namespace fca::internal {
 
-Judgement judge_turned(const CameraModel& source, const CameraModel& target, const Transform& T_target_source,
-                       const Domain& domain, double reach_rad, bool every_pixel) {
+ErrorStatistics evaluate_turned(const CameraModel& source, const CameraModel& target, const Transform& T_target_source,
+                                const FieldOfView& field_of_view, double max_angle_rad, bool every_pixel) {
   const Projection image_of = [&](const Ray& ray) { return project(target, rotated(T_target_source, ray)); };
-  const Scorer scorer{source, nullptr, &image_of, domain, reach_rad};
-  return judge_all(scorer, score_on_lattice(scorer), {every_pixel, false});
+  const Scorer scorer{source, nullptr, &image_of, field_of_view, max_angle_rad};
+  return evaluate_all(scorer, score_on_lattice(scorer), {every_pixel, false});
 }
 
-bool reaches_as_much(const Judgement& before, const Judgement& after) {
+bool reaches_as_much(const ErrorStatistics& before, const ErrorStatistics& after) {
   constexpr double kNoticeable = 1e-3;
   return after.coverage.scored >= before.coverage.scored - kNoticeable;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspect_fit.h"
 
-#include "products.h"
+#include "normal_equations.h"
 
 #include <cmath>
 
@@ -37,7 +37,7 @@ std::optional<Vector> solve_definite(const Matrix& A, const Vector& b) {
 Matrix moments(std::span<const Column> columns) {
   const auto n = static_cast<Eigen::Index>(columns.size());
   Matrix result(n, n);
-  products(columns, result.data());
+  dot_products(columns, result.data());
   result.triangularView<Eigen::StrictlyLower>() = result.transpose();
   return result;
 }
@@ -116,8 +116,8 @@ std::optional<AspectFit::Solution> AspectFit::solve(double aspect) {
     const Column r_v{rv, 0, points_};
     double cost_u = 0.0;
     double cost_v = 0.0;
-    products(std::span(&r_u, 1), r_u, &cost_u);
-    products(std::span(&r_v, 1), r_v, &cost_v);
+    dot_products(std::span(&r_u, 1), r_u, &cost_u);
+    dot_products(std::span(&r_v, 1), r_v, &cost_v);
     const double cost = cost_u + cost_v;
     // The iteration diverges if the cost grows by more than rounding errors.
     constexpr double kExact = 1e-20;  // px^2
@@ -126,8 +126,8 @@ std::optional<AspectFit::Solution> AspectFit::solve(double aspect) {
 
     Vector sums_u(n + 1);
     Vector sums_v(n + 1);
-    products(of_u, r_u, sums_u.data());
-    products(of_v, r_v, sums_v.data());
+    dot_products(of_u, r_u, sums_u.data());
+    dot_products(of_v, r_v, sums_v.data());
     Vector gradient(n + 3);
     gradient.head(n) = sums_u.head(n) + a * sums_v.head(n);
     gradient[n] = sums_u[n];

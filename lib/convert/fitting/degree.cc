@@ -43,7 +43,7 @@ std::optional<std::size_t> freed_by_ranges(const ConvertOptions& options, const 
 DegreeFit fit_with(const FitTask& task, const DegreeRanges& degree) {
   ConvertOptions options = task.options;
   options.ranges = degree.ranges;
-  UsualFit usual = fit_usual({task.camera, task.target, options, task.domain, task.centre});
+  UsualFit usual = fit_usual({task.camera, task.target, options, task.field_of_view, task.centre});
   return {std::move(usual.fit), std::move(usual.ranges), degree.degree, std::move(usual.unusual)};
 }
 
@@ -91,13 +91,14 @@ std::vector<DegreeFit> fit_degrees(const FitTask& task) {
     return fits;
   }
   constexpr double kSameShare = 1e-3;
-  const auto reached = [](const DegreeFit& each) { return each.fit.score.judgement.coverage.scored; };
+  const auto reached = [](const DegreeFit& each) { return each.fit.score.statistics.coverage.scored; };
   for (const DegreeRanges& degree : degrees) {
     DegreeFit fit = fit_with(task, degree);
     const bool has_model = fit.fit.fitted.model.has_value();
-    const bool reaches_less = has_model && !fits.empty() &&
-                              (reached(fit) < reached(fits.front()) - kSameShare ||
-                               rays_at_border(fit, task.domain.size) < rays_at_border(fits.front(), task.domain.size));
+    const bool reaches_less =
+        has_model && !fits.empty() &&
+        (reached(fit) < reached(fits.front()) - kSameShare ||
+         rays_at_border(fit, task.field_of_view.size) < rays_at_border(fits.front(), task.field_of_view.size));
     const bool is_no_camera = !has_model && fits.empty();
     if ((has_model && !reaches_less) || is_no_camera) fits.push_back(std::move(fit));
     if (is_no_camera) return fits;

@@ -2,7 +2,7 @@
 // Chooses the degree of the polynomial of a fitted model.
 #pragma once
 
-#include "fit_domain.h"
+#include "fit_field_of_view.h"
 
 #include <vector>
 
@@ -23,7 +23,7 @@ struct DegreeRanges {
 [[nodiscard]] std::vector<DegreeRanges> degrees_to_try(const ModelInfo& target, const ConvertOptions& options);
 
 struct DegreeFit {
-  DomainFit fit;
+  FieldOfViewFit fit;
   std::vector<ParameterRange> ranges;  ///< The ranges of this fit.
   int degree = 0;                      ///< 0 if the model has no degree to choose.
   std::vector<UnusualParameter> unusual;

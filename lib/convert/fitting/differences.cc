@@ -9,8 +9,8 @@
 
 namespace fca::internal {
 
-bool linearise_by_differences(const FitTarget& target, const double* p, std::span<const Correspondence> samples,
-                              const LinearisedColumns& out) {
+bool jacobian_by_differences(const FitTarget& target, const double* p, std::span<const Correspondence> samples,
+                             const JacobianColumns& out) {
   // Central differences, with the step of Ceres' numeric differentiation: 1e-6 of the parameter, but at least the root of the
   // rounding error of 1, below which rounding outweighs the difference. We do not call Ceres' functions for it: they need
   // libglog, which loads three more libraries each time the command starts.

@@ -145,11 +145,11 @@ std::optional<FittedModel> grow(std::string_view id, ParameterId bends, std::spa
 
 }  // namespace
 
-bool sees_ahead_only(std::string_view id) {
+bool is_perspective(std::string_view id) {
   bool result = false;
   ModelList::for_each([&]<CameraModelType M>() {
-    if constexpr (requires { M::kAheadOnly; }) {
-      if (M::kId == id) result = M::kAheadOnly;
+    if constexpr (requires { M::kPerspective; }) {
+      if (M::kId == id) result = M::kPerspective;
     }
   });
   return result;
@@ -176,15 +176,15 @@ std::optional<ParameterId> bends_back(std::string_view id) {
 bool may_end_early(std::string_view id) { return has_poles(id) || bends_back(id); }
 
 std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
-                                     std::span<const ParameterRange> ranges, Reach reach) {
+                                     std::span<const ParameterRange> ranges, MustReach must_reach) {
   std::optional<FittedModel> best = fit_from_own_starts(id, samples, centre, ranges);
-  if (reach == Reach::kEverySample) require_every_sample(samples, best);
+  if (must_reach == MustReach::kEverySample) require_every_sample(samples, best);
   if (const std::optional<ParameterId> bends = bends_back(id); bends && (!best || !best->reaches_all)) {
     keep_better(grow(id, *bends, samples, centre, ranges), best);
   }
   const std::string_view inner = contained_model(id);
   if (inner.empty() || (best && !may_be_beaten(*best, inner, samples, centre, ranges))) return best;
-  if (const std::optional<FittedModel> contained = fit_model(inner, samples, centre, ranges, reach)) {
+  if (const std::optional<FittedModel> contained = fit_model(inner, samples, centre, ranges, must_reach)) {
     if (const std::optional<CameraModel> start = convert_nearly(contained->model, id)) {
       // Near the limit of the contained model the additional parameters could grow without bound, for a gain below 1e-5 px.
       constexpr double kNobodySees = 1e-5;  // px

@@ -24,7 +24,7 @@ struct FittedModel {
 };
 
 /// Which samples must have a pixel for FittedModel::reaches_all.
-enum class Reach : std::uint8_t {
+enum class MustReach : std::uint8_t {
   kAlmostAll,  ///< All but samples of a thousandth of the weight (kVeryEdge): the very edge of a lens.
   /// Also those without weight, which a conversion adds at the edge where a model may end early (edge_samples.h).
   kEverySample,
@@ -37,16 +37,16 @@ enum class Reach : std::uint8_t {
 /// and its fit is one more start.
 [[nodiscard]] std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples,
                                                    const LensCentre& centre, std::span<const ParameterRange> ranges,
-                                                   Reach reach = Reach::kAlmostAll);
+                                                   MustReach must_reach = MustReach::kAlmostAll);
 
 /// True if no camera of that model has pixels for rays at 90 degrees or more from the axis.
-[[nodiscard]] bool sees_ahead_only(std::string_view id);
+[[nodiscard]] bool is_perspective(std::string_view id);
 
 /// True if a camera of that model can have a pole inside its image: an angle near which its pixels go to infinity.
 [[nodiscard]] bool has_poles(std::string_view id);
 
-/// True if a fit of that model may end between the outermost sample and the domain's edge, at a pole or where its image radius
-/// turns back.
+/// True if a fit of that model may end between the outermost sample and the field of view's edge, at a pole or where its image
+/// radius turns back.
 [[nodiscard]] bool may_end_early(std::string_view id);
 
 /// The coefficient that may bend that model's image radius back before the edge of a wide lens; nullopt if it has none.

@@ -377,24 +377,24 @@ Fitter::Trial Fitter::refine_minimum(std::span<const Trial> trials, std::size_t 
 /// narrow valley. Empty if the model has no shape.
 std::vector<Candidate> Fitter::search_shapes(const LensCentre& centre) {
   constexpr std::size_t kSamples = 48;
-  constexpr std::size_t kMostBottoms = 3;
+  constexpr std::size_t kMostMinima = 3;
   if (target_.shapes().empty()) return {};
   const std::vector<Correspondence> few = spread(samples_, kSamples);
   const std::vector<Trial> trials = try_shapes(few, centre);
-  std::vector<std::size_t> bottoms;
+  std::vector<std::size_t> minima;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const bool falls = i == 0 || trials[i].cost() < trials[i - 1].cost();
     const bool rises = i + 1 == trials.size() || trials[i].cost() <= trials[i + 1].cost();
-    if (trials[i].candidate && falls && rises) bottoms.push_back(i);
+    if (trials[i].candidate && falls && rises) minima.push_back(i);
   }
-  std::ranges::sort(bottoms, {}, [&](std::size_t i) { return trials[i].cost(); });
-  bottoms.resize(std::min(bottoms.size(), kMostBottoms));
+  std::ranges::sort(minima, {}, [&](std::size_t i) { return trials[i].cost(); });
+  minima.resize(std::min(minima.size(), kMostMinima));
   std::vector<Trial> found;
-  for (const std::size_t bottom : bottoms) {
-    Trial& trial = found.emplace_back(refine_minimum(trials, bottom, few, centre));
+  for (const std::size_t minimum : minima) {
+    Trial& trial = found.emplace_back(refine_minimum(trials, minimum, few, centre));
     polisher_.hold_fixed(*trial.candidate);
     // The costs of two minima may differ by less than the search leaves of each.
-    if (bottoms.size() > 1) polisher_.polish(*trial.candidate, few, kCoarse.effort);
+    if (minima.size() > 1) polisher_.polish(*trial.candidate, few, kCoarse.effort);
   }
   std::ranges::sort(found, {}, &Trial::cost);
   rank_rivals(centre, found);

@@ -21,14 +21,14 @@ bool has(const ModelInfo& model, const ParameterId& parameter) {
 }
 
 /// The fit in which both focal lengths are fixed at `f` [px].
-DomainFit fit_with(const FitTask& task, double f) {
+FieldOfViewFit fit_with(const FitTask& task, double f) {
   ConvertOptions options = task.options;
   for (const ParameterId focal : {kFx, kFy}) options.ranges.push_back({focal, f, f});
-  return fit_domain({task.camera, task.target, options, task.domain, task.centre});
+  return fit_field_of_view({task.camera, task.target, options, task.field_of_view, task.centre});
 }
 
 /// The rms [px] that the search minimises; infinite if the fit has no model.
-double cost_of(const DomainFit& fit) { return fit.fitted.model ? fit.rms_px : std::numeric_limits<double>::infinity(); }
+double cost_of(const FieldOfViewFit& fit) { return fit.fitted.model ? fit.rms_px : std::numeric_limits<double>::infinity(); }
 
 /// An interval with a minimum inside: goes downhill from `middle` in steps that double, until the cost rises. In mei and ds, f
 /// and xi change together along a long valley, so that the minimum may be far away.
@@ -72,8 +72,8 @@ std::optional<ConvertOptions> with_fixed(const Camera& source, const ModelInfo& 
   return options;
 }
 
-DomainFit fit_fixed(const FitTask& task) {
-  DomainFit free = fit_domain(task);
+FieldOfViewFit fit_fixed(const FitTask& task) {
+  FieldOfViewFit free = fit_field_of_view(task);
   if (!task.options.fixed.one_focal_length || !free.fitted.model) return free;
   const double fx = parameter(free.fitted.model->model, kFx).value();
   const double fy = parameter(free.fitted.model->model, kFy).value();
@@ -88,8 +88,8 @@ DomainFit fit_fixed(const FitTask& task) {
   const auto inside = [&](double share) { return low + share * (high - low); };
   double left = inside(1.0 - kGoldenRatio);
   double right = inside(kGoldenRatio);
-  DomainFit of_left = fit_with(task, left);
-  DomainFit of_right = fit_with(task, right);
+  FieldOfViewFit of_left = fit_with(task, left);
+  FieldOfViewFit of_right = fit_with(task, right);
   auto time = free.time + of_left.time + of_right.time;
   while (high - low > kCloseEnough * beside) {
     const bool is_left = cost_of(of_left) < cost_of(of_right);

@@ -2,7 +2,7 @@
 // Fits in which the user fixes parameters.
 #pragma once
 
-#include "fit_domain.h"
+#include "fit_field_of_view.h"
 
 #include <fca/convert/convert.h>
 
@@ -15,8 +15,8 @@ namespace fca::internal {
 [[nodiscard]] std::optional<ConvertOptions> with_fixed(const Camera& source, const ModelInfo& target, ConvertOptions options,
                                                        Diagnostics& diagnostics);
 
-/// Like fit_domain(), but obeys options.fixed.one_focal_length: finds the best fit with fx = fy = f by a golden-section search
-/// for f.
-[[nodiscard]] DomainFit fit_fixed(const FitTask& task);
+/// Like fit_field_of_view(), but obeys options.fixed.one_focal_length: finds the best fit with fx = fy = f by a golden-section
+/// search for f.
+[[nodiscard]] FieldOfViewFit fit_fixed(const FitTask& task);
 
 }  // namespace fca::internal

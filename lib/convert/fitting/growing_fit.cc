@@ -3,8 +3,8 @@
 
 #include "fit_limits.h"
 #include "fitter.h"
-#include "linearised.h"
 #include "quadratic_program.h"
+#include "sample_jacobian.h"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +27,7 @@ constexpr double kMargin = 1e-6;
 constexpr double kAlmostMargin = 0.5e-6;
 
 /// tan of the samples' largest angle from the axis, increased by 1e-6; infinite if that is 90 degrees or more.
-double reach_of(std::span<const Correspondence> samples) {
+double largest_tangent_of(std::span<const Correspondence> samples) {
   constexpr double kHair = 1.0 + 1e-6;
   double largest = 0.0;
   for (const Correspondence& s : samples) largest = std::max(largest, angle_from_axis(s.ray));
@@ -46,8 +46,8 @@ class Descent {
       : task_(task),
         count_(task.target.parameters().size()),
         limits_(task.target, task.ranges),
-        reach_(reach_of(task.samples)),
-        linearised_(task.target),
+        largest_tangent_(largest_tangent_of(task.samples)),
+        jacobian_(task.target),
         at_(start) {
     std::array<bool, kMostParameters> fixed{};
     for (std::size_t i = 0; i < count_; ++i) {
@@ -55,10 +55,12 @@ class Descent {
       fixed[i] = limits_.fixed(i);
       if (!fixed[i]) free_.push_back(i);
     }
-    linearised_.reset({task.samples.begin(), task.samples.end()}, fixed);
+    jacobian_.reset({task.samples.begin(), task.samples.end()}, fixed);
   }
 
-  [[nodiscard]] bool starts_well() const { return std::isfinite(reach_) && !free_.empty() && grows(at_, kAlmostMargin); }
+  [[nodiscard]] bool starts_well() const {
+    return std::isfinite(largest_tangent_) && !free_.empty() && grows(at_, kAlmostMargin);
+  }
   [[nodiscard]] const ParameterValues& values() const { return at_; }
   [[nodiscard]] int iterations() const { return iterations_; }
 
@@ -72,7 +74,7 @@ class Descent {
 
   [[nodiscard]] bool grows(const ParameterValues& values, double margin) const {
     return std::ranges::all_of(task_.conditions, [&](GrowthCondition condition) {
-      return minima_below(margin, condition, values.data(), reach_).empty();
+      return minima_below(margin, condition, values.data(), largest_tangent_).empty();
     });
   }
 
@@ -92,16 +94,16 @@ class Descent {
     return values;
   }
 
-  /// If the camera's radius turns back before `reach_`, adds planes that exclude this camera, each tangent to a condition at
-  /// one of its minima, and returns true.
+  /// If the camera's radius turns back before `largest_tangent_`, adds planes that exclude this camera, each tangent to a
+  /// condition at one of its minima, and returns true.
   bool cut_off(const ParameterValues& values) {
     constexpr std::size_t kMostPlanes = 200;
     bool turns = false;
     for (const GrowthCondition condition : task_.conditions) {
-      for (const double r : minima_below(kAlmostMargin, condition, values.data(), reach_)) {
-        ParameterValues slopes{};
-        const double value = condition(values.data(), r, slopes.data());
-        Plane plane{free_of(slopes.data()), 0.0};
+      for (const double r : minima_below(kAlmostMargin, condition, values.data(), largest_tangent_)) {
+        ParameterValues derivatives{};
+        const double value = condition(values.data(), r, derivatives.data());
+        Plane plane{free_of(derivatives.data()), 0.0};
         plane.offset = kMargin - value + plane.normal.dot(free_of(values.data()));
         if (plane.normal.isZero(0.0) || planes_.size() >= kMostPlanes) continue;
         planes_.push_back(std::move(plane));
@@ -131,7 +133,7 @@ class Descent {
     return minimise_quadratic(hessian, gradient, normals, offsets);
   }
 
-  /// Like step_among_planes(), but adds planes until the radius grows up to `reach_` at the step's end.
+  /// Like step_among_planes(), but adds planes until the radius grows up to `largest_tangent_` at the step's end.
   [[nodiscard]] std::optional<VectorXd> step_among_growing(const MatrixXd& hessian, const VectorXd& gradient) {
     constexpr int kMostCuts = 40;
     std::optional<VectorXd> step;
@@ -152,7 +154,7 @@ class Descent {
     VectorXd gradient(n);
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> hessian(n, n);
     NormalEquations sums{0.0, {gradient.data(), free_.size()}, {hessian.data(), free_.size() * free_.size()}};
-    if (!linearised_.evaluate(at_, sums)) return false;
+    if (!jacobian_.evaluate(at_, sums)) return false;
     hessian.triangularView<Eigen::StrictlyLower>() = hessian.transpose();
     const std::optional<VectorXd> step = step_among_growing(hessian, gradient);
     if (!step) return false;
@@ -162,7 +164,7 @@ class Descent {
     for (int halving = 0; halving < kMostHalvings; ++halving, share *= 0.5) {
       const ParameterValues next = values_at(free_of(at_.data()) + share * *step);
       NormalEquations cost;
-      if (!grows(next, kAlmostMargin) || !linearised_.evaluate(next, cost) || !(cost.cost < sums.cost)) continue;
+      if (!grows(next, kAlmostMargin) || !jacobian_.evaluate(next, cost) || !(cost.cost < sums.cost)) continue;
       at_ = next;
       return sums.cost - cost.cost > kNothing * sums.cost;
     }
@@ -172,8 +174,8 @@ class Descent {
   const GrowingTask& task_;
   std::size_t count_;  ///< Number of parameters.
   FitLimits limits_;
-  double reach_;  ///< The tan of the angle up to which the radius must grow.
-  Linearised linearised_;
+  double largest_tangent_;  ///< The tan of the angle up to which the radius must grow.
+  SampleJacobian jacobian_;
   ParameterValues at_;
   std::vector<std::size_t> free_;  ///< Indices of the parameters that may change.
   std::vector<Plane> planes_;      ///< Every camera whose radius grows satisfies all of them.

@@ -12,38 +12,41 @@ namespace fca::internal {
 namespace {
 
 /// 1 + sum of factors[i] k_i r^(2 i) - tangential P r, with P = |(p1, p2)|: the form of both of radtan's conditions.
-double radtan_condition(const std::array<double, 3>& factors, double tangential, const double* p, double r, double* slopes) {
+double radtan_condition(const std::array<double, 3>& factors, double tangential, const double* p, double r,
+                        double* derivatives) {
   constexpr std::array<std::size_t, 3> kRadial = {4, 5, 8};  // k1, k2, k3
   constexpr std::size_t kP1 = 6;
   constexpr std::size_t kP2 = 7;
   const double r2 = r * r;
   const double length_of_p = length(p[kP1], p[kP2]);
-  if (slopes != nullptr) std::fill_n(slopes, kParameterCount<Radtan>, 0.0);
+  if (derivatives != nullptr) std::fill_n(derivatives, kParameterCount<Radtan>, 0.0);
   double value = 1.0 - tangential * length_of_p * r;
   double power = 1.0;
   for (std::size_t i = 0; i < kRadial.size(); ++i) {
     power *= r2;
     value += factors[i] * p[kRadial[i]] * power;
-    if (slopes != nullptr) slopes[kRadial[i]] = factors[i] * power;
+    if (derivatives != nullptr) derivatives[kRadial[i]] = factors[i] * power;
   }
-  // At P = 0 the condition has a peak without a derivative; a plane with the slope 0 in p1 and p2 touches it from above.
-  if (slopes != nullptr && length_of_p > 0.0) {
-    for (const std::size_t i : {kP1, kP2}) slopes[i] = -tangential * r * p[i] / length_of_p;
+  // At P = 0 the condition has a peak without a derivative; a plane with the derivative 0 in p1 and p2 touches it from above.
+  if (derivatives != nullptr && length_of_p > 0.0) {
+    for (const std::size_t i : {kP1, kP2}) derivatives[i] = -tangential * r * p[i] / length_of_p;
   }
   return value;
 }
 
 /// The condition A - 6 P r > 0 (radial_tangential.h).
-double radial_slope(const double* p, double r, double* slopes) { return radtan_condition({3.0, 5.0, 7.0}, 6.0, p, r, slopes); }
+double radial_derivative(const double* p, double r, double* derivatives) {
+  return radtan_condition({3.0, 5.0, 7.0}, 6.0, p, r, derivatives);
+}
 
 /// The condition (A + 3 L - 16 P r) / 4 > 0.
-double other_azimuths(const double* p, double r, double* slopes) {
-  return radtan_condition({1.5, 2.0, 2.5}, 4.0, p, r, slopes);
+double other_azimuths(const double* p, double r, double* derivatives) {
+  return radtan_condition({1.5, 2.0, 2.5}, 4.0, p, r, derivatives);
 }
 
 /// The minimum of a function that has one local minimum between `low` and `high`, by golden-section search.
 template <class Function>
-double bottom_between(double low, double high, const Function& value_at) {
+double minimum_between(double low, double high, const Function& value_at) {
   constexpr int kSections = 60;
   constexpr double kGoldenRatio = 0.6180339887498949;
   double left = high - kGoldenRatio * (high - low);
@@ -69,7 +72,7 @@ double bottom_between(double low, double high, const Function& value_at) {
 }  // namespace
 
 std::span<const GrowthCondition> growth_conditions(std::string_view model) {
-  static constexpr std::array<GrowthCondition, 2> kOfRadtan = {radial_slope, other_azimuths};
+  static constexpr std::array<GrowthCondition, 2> kOfRadtan = {radial_derivative, other_azimuths};
   return model == Radtan::kId ? std::span<const GrowthCondition>(kOfRadtan) : std::span<const GrowthCondition>();
 }
 
@@ -82,7 +85,7 @@ std::vector<double> minima_below(double limit, GrowthCondition condition, const 
   for (int i = 0; i <= kSteps; ++i) {
     const double here = value_at(place(i));
     if (here > limit + kNear || value_at(place(i - 1)) < here || value_at(place(i + 1)) < here) continue;
-    double lowest = bottom_between(place(i - 1), place(i + 1), value_at);
+    double lowest = minimum_between(place(i - 1), place(i + 1), value_at);
     // At an end of the interval the minimum may be the end itself.
     if (here < value_at(lowest)) lowest = place(i);
     if (value_at(lowest) < limit) minima.push_back(lowest);

@@ -13,9 +13,9 @@ namespace fca::internal {
 /// A function of the parameters p and r = tan(angle from the axis). The camera's domain ends at the smallest r at which one of
 /// its model's conditions is not positive. On the axis each condition is 1.
 ///
-/// `slopes`: null, or receives the derivatives by all parameters. The function is concave in p. So a tangent plane at any p is
-/// nowhere below it, and the cameras whose condition holds at all r are a convex set.
-using GrowthCondition = double (*)(const double* p, double r, double* slopes);
+/// `derivatives`: null, or receives the derivatives by all parameters. The function is concave in p. So a tangent plane at any
+/// p is nowhere below it, and the cameras whose condition holds at all r are a convex set.
+using GrowthCondition = double (*)(const double* p, double r, double* derivatives);
 
 /// The conditions of a model; empty if its fits need none.
 [[nodiscard]] std::span<const GrowthCondition> growth_conditions(std::string_view model);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A listed model as a FitTarget. Its derivatives are its own (formula_and_slopes) or, if it has none, Ceres' automatic ones.
+// A listed model as a FitTarget. Its derivatives are its own (formula_and_derivatives) or, if it has none, Ceres' automatic
+// ones.
 #pragma once
 
-#include "slope_columns.h"
+#include "jacobian_columns.h"
 
 #include <fca/convert/fit_target.h>
 
@@ -15,9 +16,9 @@ class JetTarget : public FitTargetOf<M> {
  public:
   using FitTargetOf<M>::kCount;
 
-  bool linearise(const double* p, std::span<const Correspondence> samples, const LinearisedColumns& out) const override {
-    if constexpr (HasSlopes<M>) {
-      return slope_columns(std::type_identity<M>(), p, samples, out);
+  bool compute_jacobian(const double* p, std::span<const Correspondence> samples, const JacobianColumns& out) const override {
+    if constexpr (HasDerivatives<M>) {
+      return jacobian_columns(std::type_identity<M>(), p, samples, out);
     } else {
       using Jet = ceres::Jet<double, static_cast<int>(kCount)>;
       std::array<Jet, kCount> parameters;
@@ -27,15 +28,15 @@ class JetTarget : public FitTargetOf<M> {
         const Jet ray[3] = {Jet(s.ray[0]), Jet(s.ray[1]), Jet(s.ray[2])};
         Jet pixel[2];
         if (!M::formula(parameters.data(), ray, pixel)) return false;
-        std::array<std::array<double, kCount>, 2> slopes;
+        std::array<std::array<double, kCount>, 2> derivatives;
         for (std::size_t axis = 0; axis < 2; ++axis) {
           for (std::size_t i = 0; i < kCount; ++i) {
             // At an edge of the formula's domain a derivative may be NaN or infinite.
-            const double slope = pixel[axis].v[static_cast<int>(i)];
-            slopes[axis][i] = std::isfinite(slope) ? slope : 0.0;
+            const double derivative = pixel[axis].v[static_cast<int>(i)];
+            derivatives[axis][i] = std::isfinite(derivative) ? derivative : 0.0;
           }
         }
-        out.set(k, slopes[0], slopes[1], pixel[0].a - s.pixel[0], pixel[1].a - s.pixel[1]);
+        out.set(k, derivatives[0], derivatives[1], pixel[0].a - s.pixel[0], pixel[1].a - s.pixel[1]);
       }
       return true;
     }

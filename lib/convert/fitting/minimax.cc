@@ -6,7 +6,7 @@
 #include "../evaluation/maximum.h"
 #include "fit_limits.h"
 #include "fit_model.h"
-#include "linearised.h"
+#include "sample_jacobian.h"
 #include "smooth_maximum.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 class ModelErrors final : public PointErrors {
  public:
   ModelErrors(const FitTarget& target, std::span<const Correspondence> points, const std::array<bool, kMostParameters>& fixed)
-      : target_(target), points_(points), fixed_(fixed), linearised_(target), pixels_(points.size()) {
+      : target_(target), points_(points), fixed_(fixed), jacobian_(target), pixels_(points.size()) {
     for (const Correspondence& point : points_) lowest_ = std::min(lowest_, point.ray[2]);
   }
 
@@ -45,18 +45,18 @@ class ModelErrors final : public PointErrors {
     return true;
   }
 
-  bool linearise(std::span<const double> values, std::span<const WeightedPoint> points, LinearErrors& result) override {
+  bool compute_jacobian(std::span<const double> values, std::span<const WeightedPoint> points, LinearErrors& result) override {
     std::vector<Correspondence> chosen;
     chosen.reserve(points.size());
     for (const WeightedPoint& point : points) {
       chosen.push_back(points_[point.index]);
       chosen.back().weight = point.weight;
     }
-    linearised_.reset(std::move(chosen), fixed_);
+    jacobian_.reset(std::move(chosen), fixed_);
     ParameterValues at{};
     std::ranges::copy(values, at.begin());
-    if (!linearised_.linearise(at)) return false;
-    result = {linearised_.columns(), linearised_.residuals()};
+    if (!jacobian_.compute_jacobian(at)) return false;
+    result = {jacobian_.columns(), jacobian_.residuals()};
     return true;
   }
 
@@ -64,7 +64,7 @@ class ModelErrors final : public PointErrors {
   const FitTarget& target_;
   std::span<const Correspondence> points_;
   std::array<bool, kMostParameters> fixed_;
-  Linearised linearised_;
+  SampleJacobian jacobian_;
   std::vector<Pixel> pixels_;
   double lowest_ = 1.0;  ///< Cosine of the largest angle from the axis.
 };
@@ -123,7 +123,7 @@ std::vector<Point> few_of(std::vector<Point> points) {
 std::vector<Point> hilltops(const Scorer& scorer, std::span<const Point> worst_first) {
   constexpr double kHigh = 0.97;  // fraction of the largest error
   constexpr std::size_t kMost = 32;
-  const ImageSize& size = scorer.domain().size;
+  const ImageSize& size = scorer.field_of_view().size;
   const double apart = std::max(size.width, size.height) / 20.0;
   std::vector<Point> tops;
   std::vector<Pixel> known;
@@ -163,8 +163,8 @@ double largest_error(const CameraModel& model, std::span<const Correspondence> p
 
 }  // namespace
 
-MinimaxFit fit_largest_error(const CameraModel& source, const CameraModel& start, const Domain& domain, double target_reach_rad,
-                             std::span<const ParameterRange> ranges) {
+MinimaxFit fit_largest_error(const CameraModel& source, const CameraModel& start, const FieldOfView& field_of_view,
+                             double target_max_angle_rad, std::span<const ParameterRange> ranges) {
   constexpr int kMostExchanges = 12;
   constexpr double kNobodySees = 1e-9;  // px; smaller errors are mostly rounding
   constexpr double kWorthAPoint = 1.0005;
@@ -172,7 +172,7 @@ MinimaxFit fit_largest_error(const CameraModel& source, const CameraModel& start
   std::vector<Correspondence> set;
   double sharpness = kBlunt;
   for (int exchange = 0; exchange <= kMostExchanges; ++exchange) {
-    const Scorer scorer(source, &fit.model, nullptr, domain, target_reach_rad);
+    const Scorer scorer(source, &fit.model, nullptr, field_of_view, target_max_angle_rad);
     const std::vector<Point> points = scored_points(scorer);
     if (points.empty() || points.front().error < kNobodySees) break;
     bool more = set.empty() && add(scorer, few_of(points), 0.0, set);

@@ -17,7 +17,7 @@ std::optional<PixelJacobian> jacobian_of(const CameraModel& model, std::span<con
   roots.reserve(samples.size());
   for (const Correspondence& sample : samples) roots.push_back(std::sqrt(sample.weight));
   Eigen::MatrixXd numbers(static_cast<Eigen::Index>(2 * samples.size()), static_cast<Eigen::Index>(count + 1));
-  if (!target->linearise(values.data(), samples, {roots, numbers.data()}) || !numbers.allFinite()) return std::nullopt;
+  if (!target->compute_jacobian(values.data(), samples, {roots, numbers.data()}) || !numbers.allFinite()) return std::nullopt;
   return PixelJacobian{numbers.leftCols(static_cast<Eigen::Index>(count)), numbers.rightCols<1>()};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "polisher.h"
 
-#include "products.h"
+#include "normal_equations.h"
 #include "projected.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ constexpr double kWorthwhile = 0.9;
 }  // namespace
 
 Polisher::Polisher(const FitTarget& target, std::span<const ParameterRange> ranges)
-    : target_(target), count_(target.parameters().size()), linearised_(target), limits_(target, ranges) {}
+    : target_(target), count_(target.parameters().size()), jacobian_(target), limits_(target, ranges) {}
 
 void Polisher::hold_fixed(Candidate& candidate) const {
   for (std::size_t i = 0; i < count_; ++i) {
@@ -42,7 +42,7 @@ bool Polisher::polish(Candidate& candidate, std::span<const Correspondence> samp
     }
     if (active.size() * 2 < count_ || (round > 0 && active.size() <= before)) break;
     before = active.size();
-    linearised_.reset(std::move(active), candidate.fixed);
+    jacobian_.reset(std::move(active), candidate.fixed);
     if (!minimise_active(candidate, samples.size(), effort)) return false;
     if (before == samples.size()) break;
   }
@@ -66,7 +66,7 @@ bool Polisher::minimise_active(Candidate& candidate, std::size_t samples, const 
   if (!minimum.usable) return false;
   candidate.cost = minimum.cost;
   candidate.iterations += minimum.iterations;
-  candidate.on_all = linearised_.rows() == 2 * samples;
+  candidate.on_all = jacobian_.rows() == 2 * samples;
   if (minimum.cost < kSmallCost) refine(candidate, effort, values);
   candidate.values = merged(candidate, free.data());
   return true;
@@ -74,7 +74,7 @@ bool Polisher::minimise_active(Candidate& candidate, std::size_t samples, const 
 
 Minimum Polisher::minimise_free(const Candidate& candidate, const Effort& effort, std::span<double> free) {
   const Evaluate evaluate_at = [this, &candidate](const double* p, NormalEquations& sums) {
-    return linearised_.evaluate(merged(candidate, p), sums);
+    return jacobian_.evaluate(merged(candidate, p), sums);
   };
   // So close to a minimum the rounding errors of J'J are too large: refine() continues from the start itself.
   constexpr double kTinyCost = 1e-9;
@@ -86,7 +86,7 @@ Minimum Polisher::minimise_free(const Candidate& candidate, const Effort& effort
 
 /// Minimises over the shape, with the best focal lengths and centre for each shape.
 Minimum Polisher::minimise_shape(const Candidate& candidate, const Effort& effort, std::span<double> free) {
-  Projected projected(linearised_, candidate.values, candidate.fixed);
+  Projected projected(jacobian_, candidate.values, candidate.fixed);
   const Evaluate evaluate_at = [&projected](const double* shape, NormalEquations& sums) {
     return projected.evaluate(shape, sums);
   };
@@ -108,25 +108,25 @@ Minimum Polisher::minimise_shape(const Candidate& candidate, const Effort& effor
 void Polisher::refine(Candidate& candidate, const Effort& effort, std::span<double> free) {
   constexpr int kMostRounds = 8;
   for (int round = 0; round < kMostRounds && candidate.cost > kExactCost; ++round) {
-    if (!linearised_.linearise(merged(candidate, free.data()))) return;
-    orthonormal_.reset(linearised_.rows(), linearised_.columns().size());
-    for (const Column& column : linearised_.columns()) orthonormal_.add(column.data);
+    if (!jacobian_.compute_jacobian(merged(candidate, free.data()))) return;
+    qr_.reset(jacobian_.rows(), jacobian_.columns().size());
+    for (const Column& column : jacobian_.columns()) qr_.add(column.data);
     ParameterValues centre{};
     std::ranges::copy(free, centre.begin());
     const auto free_at = [&](const double* y) {
       ParameterValues values = centre;
-      orthonormal_.step(y, values.data());
+      qr_.step(y, values.data());
       return values;
     };
     const Evaluate evaluate_at = [&](const double* y, NormalEquations& sums) {
       const ParameterValues values = merged(candidate, free_at(y).data());
-      if (sums.gradient.empty()) return linearised_.evaluate(values, sums);
-      if (!linearised_.linearise(values)) return false;
-      orthonormal_.transform(linearised_.columns(), moved_);
-      const Column r = linearised_.residuals();
-      products(std::span(&r, 1), r, &sums.cost);
-      products(orthonormal_.columns(moved_), r, sums.gradient.data());
-      products(orthonormal_.columns(moved_), sums.hessian.data());
+      if (sums.gradient.empty()) return jacobian_.evaluate(values, sums);
+      if (!jacobian_.compute_jacobian(values)) return false;
+      qr_.transform(jacobian_.columns(), moved_);
+      const Column r = jacobian_.residuals();
+      dot_products(std::span(&r, 1), r, &sums.cost);
+      dot_products(qr_.columns(moved_), r, sums.gradient.data());
+      dot_products(qr_.columns(moved_), sums.hessian.data());
       return true;
     };
     ParameterValues y{};

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "fit_limits.h"
-#include "linearised.h"
 #include "minimise.h"
-#include "orthonormal.h"
+#include "qr_decomposition.h"
+#include "sample_jacobian.h"
 
 #include <fca/convert/fit_target.h>
 
@@ -61,10 +61,10 @@ class Polisher {
 
   const FitTarget& target_;
   std::size_t count_;  ///< Number of parameters.
-  Linearised linearised_;
+  SampleJacobian jacobian_;
   std::vector<std::array<double, 2>> pixels_;
-  std::vector<double> moved_;  ///< The Jacobian in the coordinates of orthonormal_.
-  Orthonormal orthonormal_;
+  std::vector<double> moved_;  ///< The Jacobian in the coordinates of qr_.
+  QrDecomposition qr_;
   FitLimits limits_;
 };
 

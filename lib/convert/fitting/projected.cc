@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "projected.h"
 
-#include "products.h"
+#include "normal_equations.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace fca::internal {
 
-bool Projected::Coordinate::look_at(Linearised& linearised, std::size_t axis) {
-  const std::size_t points = linearised.rows() / 2;
-  const std::span<const Column> all = linearised.columns();
+bool Projected::Coordinate::look_at(SampleJacobian& jacobian, std::size_t axis) {
+  const std::size_t points = jacobian.rows() / 2;
+  const std::span<const Column> all = jacobian.columns();
   std::array<Column, kMostShape + kOthers> columns;
   std::size_t count = 0;
   const auto add = [&](const Column& column) { columns[count++] = {column.data, axis * points, (axis + 1) * points}; };
@@ -18,8 +18,8 @@ bool Projected::Coordinate::look_at(Linearised& linearised, std::size_t axis) {
   shape_ = count;
   add(all[axis]);
   add(all[axis + 2]);
-  add(linearised.residuals());
-  products(std::span(columns).first(count), sums_.data());
+  add(jacobian.residuals());
+  dot_products(std::span(columns).first(count), sums_.data());
   return solve();
 }
 
@@ -62,16 +62,16 @@ bool Projected::suits(const FitTarget& target, const std::array<bool, kMostParam
   // With more shape parameters the search for these is itself a narrow valley: mei and rational (5 and 8 parameters) became no
   // faster.
   constexpr std::size_t kFew = 2;
-  if (!target.focal_lengths_first() || !target.cheap_slopes()) return false;
+  if (!target.focal_lengths_first() || !target.cheap_derivatives()) return false;
   const auto count_free = [](std::span<const bool> held) { return static_cast<std::size_t>(std::ranges::count(held, false)); };
   const std::span<const bool> held = std::span(fixed).first(target.parameters().size());
   const std::size_t shape = count_free(held.subspan(kLinear));
   return count_free(held.first(kLinear)) == kLinear && shape > 0 && shape <= kFew;
 }
 
-Projected::Projected(Linearised& linearised, const ParameterValues& start, const std::array<bool, kMostParameters>& fixed)
-    : linearised_(linearised), values_(start) {
-  const std::size_t count = linearised.columns().size() - kLinear;
+Projected::Projected(SampleJacobian& jacobian, const ParameterValues& start, const std::array<bool, kMostParameters>& fixed)
+    : jacobian_(jacobian), values_(start) {
+  const std::size_t count = jacobian.columns().size() - kLinear;
   for (std::size_t i = kLinear; count_ < count; ++i) {
     if (fixed[i]) continue;
     indices_[count_] = i;
@@ -84,9 +84,9 @@ Projected::Projected(Linearised& linearised, const ParameterValues& start, const
 bool Projected::look_at(const ParameterValues& values) {
   if (at_ == values) return true;
   at_.reset();
-  if (!linearised_.linearise(values)) return false;
+  if (!jacobian_.compute_jacobian(values)) return false;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    if (!coordinates_[axis].look_at(linearised_, axis)) return false;
+    if (!coordinates_[axis].look_at(jacobian_, axis)) return false;
   }
   at_ = values;
   return true;
@@ -99,19 +99,19 @@ bool Projected::evaluate(const double* shape, NormalEquations& sums) {
   sums.cost = 0.0;
   std::ranges::fill(sums.gradient, 0.0);
   std::ranges::fill(sums.hessian, 0.0);
-  const bool with_slopes = !sums.gradient.empty();
+  const bool with_derivatives = !sums.gradient.empty();
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const Coordinate& coordinate = coordinates_[axis];
     double& focal = values[axis];
     const double scale = 1.0 + coordinate.focal_change() / focal;
     if (!(scale > 0.0)) return false;
     sums.cost += coordinate.cost();
-    if (!with_slopes) continue;
+    if (!with_derivatives) continue;
     coordinate.add_to(scale, sums);
     focal *= scale;
     values[axis + 2] += coordinate.centre_change();
   }
-  if (with_slopes) values_ = values;
+  if (with_derivatives) values_ = values;
   return true;
 }
 

@@ -5,8 +5,8 @@
 // valley.
 #pragma once
 
-#include "linearised.h"
 #include "minimise.h"
+#include "sample_jacobian.h"
 
 #include <fca/convert/fit_target.h>
 
@@ -21,8 +21,8 @@ class Projected {
   /// True if a model can be fitted in this way, with these parameters fixed.
   [[nodiscard]] static bool suits(const FitTarget& target, const std::array<bool, kMostParameters>& fixed);
 
-  /// `linearised` holds the samples and must outlive the object. The shape and the first fx, fy, cx, cy are those of `start`.
-  Projected(Linearised& linearised, const ParameterValues& start, const std::array<bool, kMostParameters>& fixed);
+  /// `jacobian` holds the samples and must outlive the object. The shape and the first fx, fy, cx, cy are those of `start`.
+  Projected(SampleJacobian& jacobian, const ParameterValues& start, const std::array<bool, kMostParameters>& fixed);
 
   /// Computes the cost for a shape, and gradient and Hessian unless their spans are empty. False if a sample has no pixel.
   bool evaluate(const double* shape, NormalEquations& sums);
@@ -43,7 +43,7 @@ class Projected {
   class Coordinate {
    public:
     /// Computes the dot products. False if the samples do not determine focal length and centre (all at one place).
-    bool look_at(Linearised& linearised, std::size_t axis);
+    bool look_at(SampleJacobian& jacobian, std::size_t axis);
 
     [[nodiscard]] double focal_change() const { return change_[0]; }
     [[nodiscard]] double centre_change() const { return change_[1]; }
@@ -69,7 +69,7 @@ class Projected {
 
   bool look_at(const ParameterValues& values);
 
-  Linearised& linearised_;
+  SampleJacobian& jacobian_;
   /// The parameters of the last evaluation with derivatives, with the best focal lengths and centre there.
   ParameterValues values_;
   std::size_t count_ = 0;                               ///< Number of shape parameters.

@@ -152,7 +152,7 @@ class Descent {
     std::vector<WeightedPoint> all(errors_.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = {i, 1.0 / static_cast<double>(all.size())};
     LinearErrors linear;
-    if (!errors_.linearise(values_, all, linear)) return false;
+    if (!errors_.compute_jacobian(values_, all, linear)) return false;
     effects_.resize(static_cast<Eigen::Index>(free_.size()));
     for (std::size_t i = 0; i < free_.size(); ++i) {
       const double effect = mapped(linear.columns[i], 2 * all.size()).norm() / std::sqrt(maximum_.scale());
@@ -166,15 +166,15 @@ class Descent {
   bool expand_here() {
     const std::vector<WeightedPoint> points = maximum_.weights();
     LinearErrors linear;
-    if (!errors_.linearise(values_, points, linear)) return false;
+    if (!errors_.compute_jacobian(values_, points, linear)) return false;
     columns_.resize(free_.size());
     for (std::size_t i = 0; i < columns_.size(); ++i) columns_[i] = i;
     quadratic_ = expand(linear, points, columns_, sharpness_, maximum_.scale());
     const Vector gradient = quadratic_.gradient;
     const std::size_t held = std::erase_if(columns_, [&](std::size_t i) {
       const double value = values_[free_[i].index];
-      const double slope = gradient[static_cast<Eigen::Index>(i)];
-      return (value <= free_[i].lower && slope > 0.0) || (value >= free_[i].upper && slope < 0.0);
+      const double derivative = gradient[static_cast<Eigen::Index>(i)];
+      return (value <= free_[i].lower && derivative > 0.0) || (value >= free_[i].upper && derivative < 0.0);
     });
     if (held > 0) quadratic_ = expand(linear, points, columns_, sharpness_, maximum_.scale());
     return !columns_.empty();

@@ -7,7 +7,7 @@
 // residuals are neglected.
 #pragma once
 
-#include "products.h"
+#include "normal_equations.h"
 
 #include <cstddef>
 #include <span>
@@ -38,7 +38,8 @@ class PointErrors {
   /// Writes the squared error [px^2] of every point. False if a point has none; such parameters are rejected.
   virtual bool squares(std::span<const double> values, std::span<double> result) = 0;
   /// Computes residuals and derivatives of the given points, valid until the next call. False if a point has none.
-  virtual bool linearise(std::span<const double> values, std::span<const WeightedPoint> points, LinearErrors& result) = 0;
+  virtual bool compute_jacobian(std::span<const double> values, std::span<const WeightedPoint> points,
+                                LinearErrors& result) = 0;
 };
 
 /// A parameter that the minimisation may change.

@@ -29,23 +29,24 @@ std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples,
   const std::vector<Eigen::Index> free = free_columns(fitted.model, fitted.at_bound, ranges);
   const auto parameters = static_cast<Eigen::Index>(free.size());
   const Eigen::Index count = angles_of(fitted.model);
-  Eigen::MatrixXd slopes(jacobian->columns.rows(), parameters + count);
-  slopes.leftCols(parameters) = jacobian->columns(Eigen::all, free);
-  if (!put_slopes_of_angles(fitted.model, samples, Eigen::Vector3d::Zero(), slopes.rightCols(count))) return std::nullopt;
+  Eigen::MatrixXd derivatives(jacobian->columns.rows(), parameters + count);
+  derivatives.leftCols(parameters) = jacobian->columns(Eigen::all, free);
+  if (!put_derivatives_by_angles(fitted.model, samples, Eigen::Vector3d::Zero(), derivatives.rightCols(count)))
+    return std::nullopt;
   // Columns are scaled to length 1: those of coefficients of high powers have other magnitudes than those of focal lengths.
-  const Eigen::VectorXd lengths = slopes.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
-  slopes = slopes * lengths.cwiseInverse().asDiagonal();
+  const Eigen::VectorXd lengths = derivatives.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
+  derivatives = derivatives * lengths.cwiseInverse().asDiagonal();
   // The samples hardly distinguish a turn about the axis from no turn and, for a narrow lens, a turn from a shift of the
   // principal point.
   constexpr double kHardlyApart = 1e-7;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(slopes.rows(), slopes.cols());
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(derivatives.rows(), derivatives.cols());
   solver.setThreshold(kHardlyApart);
-  solver.compute(slopes);
+  solver.compute(derivatives);
   const Eigen::VectorXd solution = solver.solve(-jacobian->residuals);
   if (!solution.allFinite()) return std::nullopt;
   Eigen::Vector3d angles = Eigen::Vector3d::Zero();
   angles.head(count) = solution.tail(count).cwiseQuotient(lengths.tail(count));
-  return Step{angles, (jacobian->residuals + slopes * solution).norm()};
+  return Step{angles, (jacobian->residuals + derivatives * solution).norm()};
 }
 
 Samples of_some_weight(std::span<const Correspondence> samples) {

@@ -30,8 +30,8 @@ Eigen::Index angles_of(const CameraModel& model) {
   return has("c") && has("d") && has("e") ? kTilt : 3;
 }
 
-bool put_slopes_of_angles(const CameraModel& model, std::span<const Correspondence> samples, const Eigen::Vector3d& angles,
-                          Eigen::Ref<Eigen::MatrixXd> columns) {
+bool put_derivatives_by_angles(const CameraModel& model, std::span<const Correspondence> samples, const Eigen::Vector3d& angles,
+                               Eigen::Ref<Eigen::MatrixXd> columns) {
   constexpr double kStep = 1e-6;  // rad
   for (Eigen::Index axis = 0; axis < columns.cols(); ++axis) {
     const Eigen::Vector3d along = kStep * Eigen::Vector3d::Unit(axis);

@@ -22,8 +22,8 @@ namespace fca::internal {
 
 /// Writes the derivatives of the rotated samples' pixels by the first components of the rotation vector `angles` [rad], one per
 /// column, with rows like those of a PixelJacobian [px/rad]. False if a ray has no pixel.
-[[nodiscard]] bool put_slopes_of_angles(const CameraModel& model, std::span<const Correspondence> samples,
-                                        const Eigen::Vector3d& angles, Eigen::Ref<Eigen::MatrixXd> columns);
+[[nodiscard]] bool put_derivatives_by_angles(const CameraModel& model, std::span<const Correspondence> samples,
+                                             const Eigen::Vector3d& angles, Eigen::Ref<Eigen::MatrixXd> columns);
 
 /// Indices of the parameters that a further fit may change: those neither fixed by the ranges nor at a bound.
 [[nodiscard]] std::vector<Eigen::Index> free_columns(const CameraModel& model, std::span<const std::string> at_bound,

@@ -27,13 +27,13 @@ std::vector<UnusualParameter> unusual_of(const CameraModel& model, std::span<con
   return found;
 }
 
-double rms_of(const DomainFit& fit) { return fit.rms_px; }
+double rms_of(const FieldOfViewFit& fit) { return fit.rms_px; }
 
-bool costs_nothing(const DomainFit& inside, const DomainFit& free) {
+bool costs_nothing(const FieldOfViewFit& inside, const FieldOfViewFit& free) {
   constexpr double kNextToNothing = 1.01;
   constexpr double kNobodySees = 1e-4;  // px
   constexpr double kSameShare = 1e-3;
-  return inside.fitted.model && inside.score.judgement.coverage.scored >= free.score.judgement.coverage.scored - kSameShare &&
+  return inside.fitted.model && inside.score.statistics.coverage.scored >= free.score.statistics.coverage.scored - kSameShare &&
          rms_of(inside) <= std::max(kNextToNothing * rms_of(free), rms_of(free) + kNobodySees);
 }
 
@@ -50,7 +50,7 @@ UsualFit fit_usual(const FitTask& task) {
     if (std::isfinite(row.usual[0]) || std::isfinite(row.usual[1]))
       options.ranges.push_back({ParameterId(row), row.usual[0], row.usual[1]});
   }
-  DomainFit inside = fit_fixed({task.camera, task.target, options, task.domain, task.centre});
+  FieldOfViewFit inside = fit_fixed({task.camera, task.target, options, task.field_of_view, task.centre});
   inside.time += result.fit.time;
   if (costs_nothing(inside, result.fit)) return {std::move(inside), std::move(options.ranges), {}};
   for (UnusualParameter& parameter : result.unusual) parameter.rms_inside_px = inside.fitted.model ? rms_of(inside) : 0.0;

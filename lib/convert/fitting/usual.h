@@ -2,7 +2,7 @@
 // Fits that keep parameters in the range of published cameras, if that costs nearly nothing.
 #pragma once
 
-#include "fit_domain.h"
+#include "fit_field_of_view.h"
 
 #include <fca/convert/report.h>
 
@@ -11,7 +11,7 @@
 namespace fca::internal {
 
 struct UsualFit {
-  DomainFit fit;
+  FieldOfViewFit fit;
   std::vector<ParameterRange> ranges;     ///< The ranges of this fit.
   std::vector<UnusualParameter> unusual;  ///< The parameters outside their usual range.
 };

@@ -21,18 +21,18 @@ Vector3d vector_of(const std::array<double, 3>& ray) { return {ray[0], ray[1], r
 
 /// The camera's pixel of a unit ray; nullopt if that is outside the camera's domain or its fit has no pixel there.
 std::optional<Pixel> counted_pixel(const CameraOfPair& of_pair, const Vector3d& ray) {
-  if (std::atan2(std::hypot(ray[0], ray[1]), ray[2]) > of_pair.domain.max_angle_rad) return std::nullopt;
+  if (std::atan2(std::hypot(ray[0], ray[1]), ray[2]) > of_pair.field_of_view.max_angle_rad) return std::nullopt;
   const Ray direction = {ray[0], ray[1], ray[2]};
   if (!project(*of_pair.start, direction)) return std::nullopt;
   const std::optional<Pixel> pixel = project(of_pair.camera->model, direction);
-  return pixel && of_pair.domain.size.holds(*pixel) && of_pair.domain.is_lit(*pixel) ? pixel : std::nullopt;
+  return pixel && of_pair.field_of_view.size.holds(*pixel) && of_pair.field_of_view.is_lit(*pixel) ? pixel : std::nullopt;
 }
 
 /// The derivatives, by u and v, of the component along `normal` of a pixel's unit ray [1/px]; nullopt if a neighbour has no
 /// ray.
-std::optional<Eigen::RowVector2d> slope_along(const CameraModel& model, const Pixel& pixel, const Vector3d& normal) {
+std::optional<Eigen::RowVector2d> derivative_along(const CameraModel& model, const Pixel& pixel, const Vector3d& normal) {
   constexpr double kStep = 0.25;  // px
-  Eigen::RowVector2d slope;
+  Eigen::RowVector2d derivative;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     Pixel before = pixel;
     Pixel after = pixel;
@@ -41,9 +41,9 @@ std::optional<Eigen::RowVector2d> slope_along(const CameraModel& model, const Pi
     const std::optional<Ray> ray_before = unproject(model, before);
     const std::optional<Ray> ray_after = unproject(model, after);
     if (!ray_before || !ray_after) return std::nullopt;
-    slope[static_cast<Eigen::Index>(axis)] = normal.dot(vector_of(*ray_after) - vector_of(*ray_before)) / (2.0 * kStep);
+    derivative[static_cast<Eigen::Index>(axis)] = normal.dot(vector_of(*ray_after) - vector_of(*ray_before)) / (2.0 * kStep);
   }
-  return slope;
+  return derivative;
 }
 
 /// The row coordinate in a pair of rectified images [px, at the scale of the middle of the source images]; the column
@@ -58,12 +58,12 @@ class Rows {
   }
 
   /// Derivative of the row by a camera's unit ray; nullopt if the ray is too far from the rectified axis.
-  [[nodiscard]] std::optional<Vector3d> slope(std::size_t camera, const Vector3d& ray) const {
+  [[nodiscard]] std::optional<Vector3d> derivative(std::size_t camera, const Vector3d& ray) const {
     const Vector3d rectified = R_rectified_camera_.at(camera) * ray;
     const double depth = rectified[2];
     if (!(depth >= std::cos(0.5 * kWidestRectifiedView))) return std::nullopt;
-    const Vector3d slope = Vector3d::Unit(across_) / depth - rectified[across_] / (depth * depth) * Vector3d::UnitZ();
-    return focal_length_ * (R_rectified_camera_.at(camera).transpose() * slope);
+    const Vector3d derivative = Vector3d::Unit(across_) / depth - rectified[across_] / (depth * depth) * Vector3d::UnitZ();
+    return focal_length_ * (R_rectified_camera_.at(camera).transpose() * derivative);
   }
 
  private:
@@ -75,16 +75,16 @@ class Rows {
 void add_match(const std::array<CameraOfPair, 2>& cameras, const Rows& rows, const Correspondence& first, const Vector3d& seen,
                Matches& matches) {
   const std::optional<Pixel> pixel = counted_pixel(cameras[1], seen);
-  const std::optional<Vector3d> first_slope = rows.slope(0, vector_of(first.ray));
-  const std::optional<Vector3d> second_slope = rows.slope(1, seen);
-  if (!pixel || !first_slope || !second_slope) return;
-  const std::optional<Eigen::RowVector2d> here = slope_along(cameras[0].camera->model, first.pixel, *first_slope);
-  const std::optional<Eigen::RowVector2d> there = slope_along(cameras[1].camera->model, *pixel, *second_slope);
+  const std::optional<Vector3d> first_derivative = rows.derivative(0, vector_of(first.ray));
+  const std::optional<Vector3d> second_derivative = rows.derivative(1, seen);
+  if (!pixel || !first_derivative || !second_derivative) return;
+  const std::optional<Eigen::RowVector2d> here = derivative_along(cameras[0].camera->model, first.pixel, *first_derivative);
+  const std::optional<Eigen::RowVector2d> there = derivative_along(cameras[1].camera->model, *pixel, *second_derivative);
   if (!here || !there) return;
   matches.seen[0].push_back(first);
   matches.seen[1].push_back({{seen[0], seen[1], seen[2]}, *pixel, first.weight});
-  matches.slopes[0].push_back(-*here);
-  matches.slopes[1].push_back(*there);
+  matches.derivatives[0].push_back(-*here);
+  matches.derivatives[1].push_back(*there);
 }
 
 }  // namespace

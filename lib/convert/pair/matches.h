@@ -3,7 +3,7 @@
 // images.
 #pragma once
 
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/convert/lens.h>
 #include <fca/rig/transform.h>
 
@@ -19,15 +19,15 @@ namespace fca::internal {
 struct Matches {
   std::array<std::vector<Correspondence>, 2> seen;
   /// The change of the row difference between the rectified images per pixel of error of that camera, in u and v.
-  std::array<std::vector<Eigen::RowVector2d>, 2> slopes;
+  std::array<std::vector<Eigen::RowVector2d>, 2> derivatives;
 };
 
-/// A camera of a pair and the domain on which it is compared.
+/// A camera of a pair and the field of view on which it is compared.
 struct CameraOfPair {
   const Camera* camera;
   const CameraModel* start;  ///< The model with which the fit starts; rays without a pixel in it are ignored.
-  Domain domain;
-  std::vector<Correspondence> samples;  ///< Samples of `domain`.
+  FieldOfView field_of_view;
+  std::vector<Correspondence> samples;  ///< Samples of `field_of_view`.
 };
 
 /// Matches for points in the directions of the first camera's samples, at infinity and at ten baselines, up to 60 degrees from

@@ -9,8 +9,8 @@
 #include "../fitting/turned_samples.h"
 #include "matches.h"
 
-#include <fca/convert/domain.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/convert/sample.h>
 
 #include <Eigen/Core>
@@ -102,26 +102,26 @@ class Problem {
   }
 
   /// The residuals of one camera's rays, and their derivatives by this camera's unknowns; nullopt if a ray has no pixel.
-  [[nodiscard]] std::optional<PixelJacobian> slopes(std::size_t i, const State& state,
-                                                    std::span<const Correspondence> samples) const {
+  [[nodiscard]] std::optional<PixelJacobian> derivatives(std::size_t i, const State& state,
+                                                         std::span<const Correspondence> samples) const {
     const Unknowns& unknowns = unknowns_.at(i);
     std::optional<PixelJacobian> all =
         internal::jacobian_of(state.model, internal::turned(samples, internal::rotation_by(state.angles)));
     if (!all) return std::nullopt;
     PixelJacobian own{MatrixXd(all->columns.rows(), unknowns.count()), std::move(all->residuals)};
     own.columns.leftCols(static_cast<Index>(unknowns.parameters.size())) = all->columns(Eigen::all, unknowns.parameters);
-    if (!internal::put_slopes_of_angles(state.model, samples, state.angles, own.columns.rightCols(unknowns.angles)))
+    if (!internal::put_derivatives_by_angles(state.model, samples, state.angles, own.columns.rightCols(unknowns.angles)))
       return std::nullopt;
     return own;
   }
 
   /// Converts one camera's pixel residuals, or columns of their Jacobian, to row differences of the matches.
   [[nodiscard]] MatrixXd rows_of(std::size_t i, const Eigen::Ref<const MatrixXd>& numbers) const {
-    const auto count = static_cast<Index>(matches_.slopes.at(i).size());
+    const auto count = static_cast<Index>(matches_.derivatives.at(i).size());
     MatrixXd rows(count, numbers.cols());
     for (Index k = 0; k < count; ++k) {
-      const Eigen::RowVector2d& slope = matches_.slopes.at(i)[static_cast<std::size_t>(k)];
-      rows.row(k) = slope[0] * numbers.row(k) + slope[1] * numbers.row(count + k);
+      const Eigen::RowVector2d& derivative = matches_.derivatives.at(i)[static_cast<std::size_t>(k)];
+      rows.row(k) = derivative[0] * numbers.row(k) + derivative[1] * numbers.row(count + k);
     }
     return rows;
   }
@@ -135,8 +135,8 @@ class Problem {
     MatrixXd rows(static_cast<Index>(matches_.seen[0].size()), count());
     VectorXd differences = VectorXd::Zero(rows.rows());
     for (std::size_t i = 0; i < 2; ++i) {
-      const std::optional<PixelJacobian> own = slopes(i, states.at(i), cameras_.at(i).samples);
-      const std::optional<PixelJacobian> matched = slopes(i, states.at(i), matches_.seen.at(i));
+      const std::optional<PixelJacobian> own = derivatives(i, states.at(i), cameras_.at(i).samples);
+      const std::optional<PixelJacobian> matched = derivatives(i, states.at(i), matches_.seen.at(i));
       if (!own || !matched) return false;
       normal.add(own->columns, own->residuals, unknowns_.at(i).first);
       rows.middleCols(unknowns_.at(i).first, unknowns_.at(i).count()) = kWeightOfRows * rows_of(i, matched->columns);
@@ -153,16 +153,17 @@ class Problem {
   std::array<Unknowns, 2> unknowns_;
 };
 
-/// A camera of the pair with its domain, limited to the angles at which its separate fit was scored; nullopt if there is no
-/// domain.
+/// A camera of the pair with its field of view, limited to the angles at which its separate fit was scored; nullopt if there is
+/// no field of view.
 std::optional<CameraOfPair> of_pair(const SeparateFit& fit) {
   constexpr int kSamples = 400;
   Diagnostics discarded;
-  std::optional<Domain> domain = domain_of(fit.source, fit.options.max_angle_rad, discarded);
-  if (!domain) return std::nullopt;
-  const double reach_rad = fit.conversion.report.scored_to_deg * std::numbers::pi / 180.0;
-  domain->max_angle_rad = std::min(domain->max_angle_rad, reach_rad);
-  CameraOfPair camera{&fit.source, &fit.conversion.camera.model, *domain, sample(fit.source.model, *domain, kSamples)};
+  std::optional<FieldOfView> field_of_view = field_of_view_of(fit.source, fit.options.max_angle_rad, discarded);
+  if (!field_of_view) return std::nullopt;
+  const double max_angle_rad = fit.conversion.report.scored_to_deg * std::numbers::pi / 180.0;
+  field_of_view->max_angle_rad = std::min(field_of_view->max_angle_rad, max_angle_rad);
+  CameraOfPair camera{&fit.source, &fit.conversion.camera.model, *field_of_view,
+                      sample(fit.source.model, *field_of_view, kSamples)};
   std::erase_if(camera.samples,
                 [&camera](const Correspondence& each) { return !(each.weight > 0.0) || !project(*camera.start, each.ray); });
   return camera;
@@ -180,20 +181,20 @@ std::optional<PairError> error_of(const std::array<SeparateFit, 2>& fits, const 
 /// image.
 std::optional<Conversion> conversion_to(const SeparateFit& fit, const State& state) {
   Diagnostics discarded;
-  const std::optional<Domain> domain = domain_of(fit.source, fit.options.max_angle_rad, discarded);
-  if (!domain) return std::nullopt;
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(fit.source, fit.options.max_angle_rad, discarded);
+  if (!field_of_view) return std::nullopt;
   const Transform T_target_source = state.turn();
   const bool is_turned = !state.angles.isZero();
   Conversion result = fit.conversion;
   ConversionReport& report = result.report;
-  const double reach_rad = report.scored_to_deg * std::numbers::pi / 180.0;
-  Judgement judgement =
-      is_turned
-          ? internal::judge_turned(fit.source.model, state.model, T_target_source, *domain, reach_rad, fit.options.every_pixel)
-          : judge(fit.source.model, state.model, *domain, {fit.options.every_pixel, fit.options.bound, reach_rad});
-  if (!internal::reaches_as_much(report.judgement, judgement)) return std::nullopt;
-  if (is_turned) report.turn = AbsorbedTurn{T_target_source, report.judgement.error.rms, report.judgement.error.max};
-  report.judgement = std::move(judgement);
+  const double max_angle_rad = report.scored_to_deg * std::numbers::pi / 180.0;
+  ErrorStatistics statistics = is_turned ? internal::evaluate_turned(fit.source.model, state.model, T_target_source,
+                                                                     *field_of_view, max_angle_rad, fit.options.every_pixel)
+                                         : evaluate(fit.source.model, state.model, *field_of_view,
+                                                    {fit.options.every_pixel, fit.options.bound, max_angle_rad});
+  if (!internal::reaches_as_much(report.statistics, statistics)) return std::nullopt;
+  if (is_turned) report.turn = AbsorbedTurn{T_target_source, report.statistics.error.rms, report.statistics.error.max};
+  report.statistics = std::move(statistics);
   report.turn_offer.reset();
   result.camera.model = state.model;
   return result;

@@ -16,7 +16,7 @@ std::vector<Node> compute_gauss_legendre(int n) {
   std::vector<Node> nodes(static_cast<std::size_t>(n));
   for (int i = 0; i < (n + 1) / 2; ++i) {
     double x = (1.0 - (n - 1.0) / (8.0 * n * n * n)) * std::cos(std::numbers::pi * (4.0 * i + 3.0) / (4.0 * n + 2.0));
-    double slope = 1.0;
+    double derivative = 1.0;
     constexpr int kMostSteps = 8;
     for (int iteration = 0; iteration < kMostSteps; ++iteration) {
       double p = 1.0;
@@ -26,11 +26,11 @@ std::vector<Node> compute_gauss_legendre(int n) {
         previous = p;
         p = next;
       }
-      slope = n * (x * p - previous) / (x * x - 1.0);
-      x -= p / slope;
-      if (std::abs(p / slope) < 1e-15) break;
+      derivative = n * (x * p - previous) / (x * x - 1.0);
+      x -= p / derivative;
+      if (std::abs(p / derivative) < 1e-15) break;
     }
-    const double weight = 1.0 / ((1.0 - x * x) * slope * slope);
+    const double weight = 1.0 / ((1.0 - x * x) * derivative * derivative);
     nodes[static_cast<std::size_t>(i)] = {0.5 * (1.0 - x), weight};
     nodes[static_cast<std::size_t>(n - 1 - i)] = {0.5 * (1.0 + x), weight};
   }

@@ -120,7 +120,8 @@ std::optional<Camera> measured(Camera camera, const Projection& projection, doub
   return camera;
 }
 
-Judgement judge_table(std::span<const Correspondence> table, const Domain& domain, const Projection& target) {
+ErrorStatistics evaluate_table(std::span<const Correspondence> table, const FieldOfView& field_of_view,
+                               const Projection& target) {
   constexpr int kBinsPerOctave = 1024;  // percentiles to 0.1 %
   internal::Summary summary(kBinsPerOctave);
   internal::Batch batch;
@@ -146,11 +147,11 @@ Judgement judge_table(std::span<const Correspondence> table, const Domain& domai
     if (++count == internal::Batch::kSize) add();
   }
   add();
-  return summary.judgement(domain);
+  return summary.statistics(field_of_view);
 }
 
-ErrorSummary judge(std::span<const Correspondence> table, const Projection& target) {
-  return judge_table(table, {}, target).error;
+ErrorSummary evaluate(std::span<const Correspondence> table, const Projection& target) {
+  return evaluate_table(table, {}, target).error;
 }
 
 }  // namespace fca

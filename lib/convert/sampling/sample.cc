@@ -24,17 +24,18 @@ bool is_any_of(const CameraModel& model) {
   return (std::holds_alternative<Intrinsics<Ms>>(model) || ...);
 }
 
-/// Rays of the domain's pixels, faster than Domain::ray(). That computes an angle, which takes longer than most models' rays;
-/// here the ray's z nearly always decides.
+/// Rays of the field of view's pixels, faster than FieldOfView::ray(). That computes an angle, which takes longer than most
+/// models' rays; here the ray's z nearly always decides.
 class Rays {
  public:
-  Rays(const Lens& source, const Domain& domain) : source_(source), domain_(domain), lowest_(std::cos(domain.max_angle_rad)) {}
+  Rays(const Lens& source, const FieldOfView& field_of_view)
+      : source_(source), field_of_view_(field_of_view), lowest_(std::cos(field_of_view.max_angle_rad)) {}
 
   [[nodiscard]] std::optional<Ray> operator()(const Pixel& pixel) const {
     if (!is_lit(pixel)) return std::nullopt;
     std::optional<Ray> ray = source_.ray(pixel);
     if (!ray || surely_inside((*ray)[2])) return ray;
-    if ((*ray)[2] < lowest_ - kUnclear || angle_from_axis(*ray) > domain_.max_angle_rad) return std::nullopt;
+    if ((*ray)[2] < lowest_ - kUnclear || angle_from_axis(*ray) > field_of_view_.max_angle_rad) return std::nullopt;
     return ray;
   }
   [[nodiscard]] bool surely_inside(double cosine) const { return cosine > lowest_ + kUnclear; }
@@ -42,26 +43,27 @@ class Rays {
   [[nodiscard]] std::optional<internal::BatchRays> batch() const {
     const CameraModel* model = source_.model();
     if (model == nullptr || !is_any_of<Kb4, Radtan, Rational>(*model) || !validate(*model).empty()) return std::nullopt;
-    return internal::BatchRays(*model, domain_.max_angle_rad);
+    return internal::BatchRays(*model, field_of_view_.max_angle_rad);
   }
-  [[nodiscard]] bool is_lit(const Pixel& pixel) const { return domain_.is_lit(pixel); }
+  [[nodiscard]] bool is_lit(const Pixel& pixel) const { return field_of_view_.is_lit(pixel); }
   [[nodiscard]] bool has(const Pixel& pixel) const { return (*this)(pixel).has_value(); }
-  /// How far a pixel's ray lies beyond the domain's edge [rad; at a circle's edge approximately]; negative inside. nullopt if
-  /// the source has no ray.
+  /// How far a pixel's ray lies beyond the field of view's edge [rad; at a circle's edge approximately]; negative inside.
+  /// nullopt if the source has no ray.
   [[nodiscard]] std::optional<double> beyond(const Pixel& pixel) const {
     const std::optional<Ray> ray = source_.ray(pixel);
     if (!ray) return std::nullopt;
-    const double beyond_cone = angle_from_axis(*ray) - domain_.max_angle_rad;
-    if (!domain_.circle) return beyond_cone;
-    return std::max(beyond_cone, domain_.circle->beyond(pixel) / domain_.circle->radius_px * domain_.max_angle_rad);
+    const double beyond_angle = angle_from_axis(*ray) - field_of_view_.max_angle_rad;
+    if (!field_of_view_.circle) return beyond_angle;
+    return std::max(beyond_angle,
+                    field_of_view_.circle->beyond(pixel) / field_of_view_.circle->radius_px * field_of_view_.max_angle_rad);
   }
-  [[nodiscard]] const ImageSize& size() const { return domain_.size; }
+  [[nodiscard]] const ImageSize& size() const { return field_of_view_.size; }
 
  private:
   static constexpr double kUnclear = 1e-9;
   const Lens& source_;
-  const Domain& domain_;
-  double lowest_;  ///< Cosine of the domain's largest angle.
+  const FieldOfView& field_of_view_;
+  double lowest_;  ///< Cosine of the field of view's largest angle.
 };
 
 /// A pixel that may be a sample.
@@ -70,7 +72,7 @@ struct Candidate {
   double weight;
 };
 
-/// Samples of the candidates that have a ray in the domain.
+/// Samples of the candidates that have a ray in the field of view.
 std::vector<Correspondence> seen_of(const Rays& rays, const std::vector<Candidate>& candidates) {
   std::vector<Correspondence> samples;
   samples.reserve(candidates.size());
@@ -100,7 +102,7 @@ std::vector<Correspondence> seen_of(const Rays& rays, const std::vector<Candidat
   return samples;
 }
 
-/// Samples a tensor grid of Gauss nodes over the whole image; points outside the domain are dropped.
+/// Samples a tensor grid of Gauss nodes over the whole image; points outside the field of view are dropped.
 std::vector<Correspondence> sample_rectangle(const Rays& rays, int count) {
   const ImageSize& size = rays.size();
   const double aspect = std::clamp(static_cast<double>(size.width) / size.height, 0.1, 10.0);
@@ -131,16 +133,16 @@ Pixel along(const Pixel& centre, const Pixel& direction, double distance) {
   return {centre[0] + distance * direction[0], centre[1] + distance * direction[1]};
 }
 
-/// True if the domain reaches the image's border at that azimuth [rad].
+/// True if the field of view reaches the image's border at that azimuth [rad].
 bool reaches_border(const Rays& rays, const Pixel& centre, double azimuth) {
   const Pixel direction = {std::cos(azimuth), std::sin(azimuth)};
   return rays.has(along(centre, direction, distance_to_border(rays.size(), centre, direction)));
 }
 
-/// The distance [px] from `centre` to the edge of the domain at that azimuth [rad]: to the image's border, or to the lens's
-/// edge if that comes first. The edge is found in a bracket, since angles grow along the way: by regula falsi (Illinois) if the
-/// source has rays beyond it, by halving if it has none.
-double reach(const Rays& rays, const Pixel& centre, double azimuth) {
+/// The distance [px] from `centre` to the edge of the field of view at that azimuth [rad]: to the image's border, or to the
+/// lens's edge if that comes first. The edge is found in a bracket, since angles grow along the way: by regula falsi (Illinois)
+/// if the source has rays beyond it, by halving if it has none.
+double distance_to_edge(const Rays& rays, const Pixel& centre, double azimuth) {
   const Pixel direction = {std::cos(azimuth), std::sin(azimuth)};
   double far = distance_to_border(rays.size(), centre, direction);
   std::optional<double> beyond_far = rays.beyond(along(centre, direction, far));
@@ -172,8 +174,8 @@ double reach(const Rays& rays, const Pixel& centre, double azimuth) {
   return near;
 }
 
-/// Azimuths [rad] between which the domain's edge is smooth: those of the image's corners, and those at which the edge changes
-/// between the image's border and the lens's edge.
+/// Azimuths [rad] between which the field of view's edge is smooth: those of the image's corners, and those at which the edge
+/// changes between the image's border and the lens's edge.
 std::vector<double> smooth_pieces(const Rays& rays, const Pixel& centre) {
   const double width = rays.size().width - 1.0;
   const double height = rays.size().height - 1.0;
@@ -255,11 +257,11 @@ class PolarSampler {
     const int azimuths = std::max(kFewestAzimuths, static_cast<int>(std::lround(azimuths_per_radian_ * span)));
     for (const Node& azimuth : gauss_legendre(azimuths)) {
       const double phi = begin + azimuth.position * span;
-      const double edge = reach(rays_, centre_, phi);
+      const double edge = distance_to_edge(rays_, centre_, phi);
       for (const Node& node : gauss_legendre(radial_)) {
         const double turn = 0.5 * std::numbers::pi * node.position;
-        const double slope = 0.5 * std::numbers::pi * std::cos(turn);
-        const double weight = azimuth.weight * span * edge * edge * node.weight * slope * std::sin(turn);
+        const double derivative = 0.5 * std::numbers::pi * std::cos(turn);
+        const double weight = azimuth.weight * span * edge * edge * node.weight * derivative * std::sin(turn);
         candidates_.push_back({along(centre_, direction(phi), edge * std::sin(turn)), weight});
       }
     }
@@ -308,12 +310,12 @@ bool whole_image(const Rays& rays) {
 
 }  // namespace
 
-std::vector<Correspondence> sample(const Lens& source, const Domain& domain, int count) {
+std::vector<Correspondence> sample(const Lens& source, const FieldOfView& field_of_view, int count) {
   Pixel centre = source.centre().point;
-  if (!domain.is_lit(centre)) centre = domain.circle->centre;
-  const bool centred =
-      centre[0] > 0.0 && centre[1] > 0.0 && centre[0] < domain.size.width - 1.0 && centre[1] < domain.size.height - 1.0;
-  const Rays rays(source, domain);
+  if (!field_of_view.is_lit(centre)) centre = field_of_view.circle->centre;
+  const bool centred = centre[0] > 0.0 && centre[1] > 0.0 && centre[0] < field_of_view.size.width - 1.0 &&
+                       centre[1] < field_of_view.size.height - 1.0;
+  const Rays rays(source, field_of_view);
   std::vector<Correspondence> samples;
   if (centred && !whole_image(rays)) {
     samples = PolarSampler(rays, centre, count).run();

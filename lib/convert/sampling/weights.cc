@@ -87,10 +87,10 @@ std::size_t weigh(const FitWeight& weight, const Lens& source, std::vector<Corre
   return counted;
 }
 
-/// Samples of about `count` pixels on an even grid, at most one per pixel, that lie in the domain. An image of weights may have
-/// edges anywhere, and the few radii of sample() could all lie on one side of a circular edge.
-std::vector<Correspondence> grid_of(const Lens& source, const Domain& domain, int count) {
-  const auto [width, height] = domain.size;
+/// Samples of about `count` pixels on an even grid, at most one per pixel, that lie in the field of view. An image of weights
+/// may have edges anywhere, and the few radii of sample() could all lie on one side of a circular edge.
+std::vector<Correspondence> grid_of(const Lens& source, const FieldOfView& field_of_view, int count) {
+  const auto [width, height] = field_of_view.size;
   const double side = std::max(1.0, std::sqrt(static_cast<double>(width) * height / count));
   const int columns = std::max(1, static_cast<int>(std::lround(width / side)));
   const int rows = std::max(1, static_cast<int>(std::lround(height / side)));
@@ -98,7 +98,7 @@ std::vector<Correspondence> grid_of(const Lens& source, const Domain& domain, in
   for (int i = 0; i < columns; ++i) {
     for (int j = 0; j < rows; ++j) {
       const Pixel pixel = {(i + 0.5) * width / columns - 0.5, (j + 0.5) * height / rows - 0.5};
-      if (const std::optional<Ray> ray = domain.ray(source, pixel)) samples.push_back({*ray, pixel, 1.0});
+      if (const std::optional<Ray> ray = field_of_view.ray(source, pixel)) samples.push_back({*ray, pixel, 1.0});
     }
   }
   return samples;
@@ -112,19 +112,19 @@ bool has_equal_weights(const FitWeight& weight) {
   return *darkest == *lightest && *lightest > 0.0F;
 }
 
-bool counts_any(const GreyImage& density, const Lens& source, const Domain& domain) {
+bool counts_any(const GreyImage& density, const Lens& source, const FieldOfView& field_of_view) {
   std::size_t i = 0;
   for (int v = 0; v < density.height; ++v) {
     for (int u = 0; u < density.width; ++u, ++i) {
-      if (density.samples[i] > 0.0F && domain.ray(source, {static_cast<double>(u), static_cast<double>(v)})) return true;
+      if (density.samples[i] > 0.0F && field_of_view.ray(source, {static_cast<double>(u), static_cast<double>(v)})) return true;
     }
   }
   return false;
 }
 
-WeightedSamples weighted_samples(const FitWeight& weight, const Lens& source, const Domain& domain, int count) {
+WeightedSamples weighted_samples(const FitWeight& weight, const Lens& source, const FieldOfView& field_of_view, int count) {
   if (weight.kind != WeightKind::kImage) {
-    WeightedSamples result{sample(source, domain, count), 0};
+    WeightedSamples result{sample(source, field_of_view, count), 0};
     result.counted = weight.kind == WeightKind::kPixel ? result.samples.size() : weigh(weight, source, result.samples);
     return result;
   }
@@ -134,20 +134,20 @@ WeightedSamples weighted_samples(const FitWeight& weight, const Lens& source, co
   WeightedSamples result;
   int finer = std::min(kFiner * count, kMost);
   while (true) {
-    result.samples = grid_of(source, domain, finer);
+    result.samples = grid_of(source, field_of_view, finer);
     result.counted = weigh(weight, source, result.samples);
     if (2 * result.counted >= static_cast<std::size_t>(count) || finer >= kMost) return result;
     finer = std::min(2 * finer, kMost);
   }
 }
 
-double weighted_rms(const FitWeight& weight, const Lens& source, const CameraModel& target, const Domain& domain,
-                    double reach_rad, const Transform* T_target_source) {
+double weighted_rms(const FitWeight& weight, const Lens& source, const CameraModel& target, const FieldOfView& field_of_view,
+                    double max_angle_rad, const Transform* T_target_source) {
   constexpr int kPlaces = 3000;
   double squares = 0.0;
   double sum = 0.0;
-  for (const Correspondence& sample : weighted_samples(weight, source, domain, kPlaces).samples) {
-    if (angle_from_axis(sample.ray) > reach_rad) continue;
+  for (const Correspondence& sample : weighted_samples(weight, source, field_of_view, kPlaces).samples) {
+    if (angle_from_axis(sample.ray) > max_angle_rad) continue;
     const std::optional<Pixel> pixel =
         project(target, T_target_source != nullptr ? rotated(*T_target_source, sample.ray) : sample.ray);
     if (!pixel) continue;

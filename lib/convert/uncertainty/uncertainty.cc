@@ -109,12 +109,12 @@ std::optional<PixelUncertainty> summary_of(const CameraModel& model, const Uncer
 
 /// The scored points of a conversion's lattice, including the image's border.
 std::vector<Place> lattice_of(const Camera& source, const CameraModel& target, const ConversionReport& report,
-                              const Domain& domain) {
-  const double reach = report.fitted_to_cone ? report.scored_to_deg * std::numbers::pi / 180.0 : std::numbers::pi;
-  const internal::Scorer scorer(source.model, &target, nullptr, domain, reach);
+                              const FieldOfView& field_of_view) {
+  const double max_angle_rad = report.angle_reduced ? report.scored_to_deg * std::numbers::pi / 180.0 : std::numbers::pi;
+  const internal::Scorer scorer(source.model, &target, nullptr, field_of_view, max_angle_rad);
   std::vector<Place> places;
   for (const internal::Point& point : internal::score_lattice(scorer)) {
-    const std::optional<Ray> ray = domain.ray(source.model, point.pixel);
+    const std::optional<Ray> ray = field_of_view.ray(source.model, point.pixel);
     if (point.verdict == internal::Verdict::kScored && ray)
       places.push_back({point.pixel, *ray, point.weight, report.exact ? 0.0 : point.error});
   }
@@ -131,13 +131,13 @@ std::vector<Place> places_of(std::span<const Correspondence> table) {
 /// The entries of the source's table to which the model was fitted.
 std::vector<Correspondence> fitted_entries(const Camera& source, const CameraModel& target, const ConversionReport& report) {
   constexpr double kRounding = 1e-9;  // rad
-  const double reach = report.scored_to_deg * std::numbers::pi / 180.0 + kRounding;
+  const double max_angle_rad = report.scored_to_deg * std::numbers::pi / 180.0 + kRounding;
   std::vector<Correspondence> table;
   std::ranges::copy_if(source.rays, std::back_inserter(table), [&](const Correspondence& entry) {
     const bool is_in_image = !source.image_size || (entry.pixel[0] >= -0.5 && entry.pixel[1] >= -0.5 &&
                                                     entry.pixel[0] <= source.image_size->width - 0.5 &&
                                                     entry.pixel[1] <= source.image_size->height - 0.5);
-    return is_in_image && angle_from_axis(entry.ray) <= reach && project(target, entry.ray);
+    return is_in_image && angle_from_axis(entry.ray) <= max_angle_rad && project(target, entry.ray);
   });
   return table;
 }
@@ -146,7 +146,7 @@ std::optional<PixelUncertainty> of_table(const Camera& source, const CameraModel
   const std::vector<Correspondence> table = fitted_entries(source, target, report);
   const std::optional<Uncertainty> fitted = uncertainty_of_residuals(target, table, report.at_bound);
   if (!fitted) return std::nullopt;
-  std::optional<PixelUncertainty> result = summary_of(target, *fitted, places_of(table), report.judgement.bands);
+  std::optional<PixelUncertainty> result = summary_of(target, *fitted, places_of(table), report.statistics.bands);
   if (!result) return std::nullopt;
   result->of_residuals = true;
   result->sigmas = fitted->sigmas;
@@ -167,9 +167,9 @@ std::optional<double> pixel_sigma(const CameraModel& model, const Uncertainty& u
 
 std::optional<Uncertainty> uncertainty_of_fit(const CameraModel& source, const Uncertainty& uncertainty,
                                               const CameraModel& target, std::span<const std::string> held,
-                                              const Domain& domain) {
+                                              const FieldOfView& field_of_view) {
   if (!uncertainty.has_covariance() || !is_of(uncertainty, source)) return std::nullopt;
-  std::vector<Correspondence> samples = sample(source, domain);
+  std::vector<Correspondence> samples = sample(source, field_of_view);
   std::erase_if(samples, [&target](const Correspondence& each) { return !project(target, each.ray); });
   const std::optional<PixelJacobian> of_source = internal::jacobian_of(source, samples);
   const std::optional<PixelJacobian> of_target = internal::jacobian_of(target, samples);
@@ -206,12 +206,12 @@ std::optional<PixelUncertainty> pixel_uncertainty(const Camera& source, const Ca
   if (!source.rays.empty()) return of_table(source, target.model, report);
   if (stated == nullptr) return std::nullopt;
   Diagnostics reported_before;
-  const std::optional<Domain> domain = domain_of(source, max_angle_rad, reported_before);
-  if (!domain) return std::nullopt;
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(source, max_angle_rad, reported_before);
+  if (!field_of_view) return std::nullopt;
   std::optional<PixelUncertainty> result =
-      summary_of(source.model, *stated, lattice_of(source, target.model, report, *domain), report.judgement.bands);
+      summary_of(source.model, *stated, lattice_of(source, target.model, report, *field_of_view), report.statistics.bands);
   if (!result || result->is_limit || source.model == target.model) return result;
-  Domain scored = *domain;
+  FieldOfView scored = *field_of_view;
   scored.max_angle_rad = std::min(scored.max_angle_rad, report.scored_to_deg * std::numbers::pi / 180.0);
   if (const auto fitted = uncertainty_of_fit(source.model, *stated, target.model, report.at_bound, scored)) {
     result->sigmas = fitted->sigmas;

@@ -94,7 +94,7 @@ std::span<const CodeInfo> colmap_codes() {
       clause(Code::kColmapRigLines, "rigs of COLMAP's, each with its sensors"),
       with_consequence(error(Code::kColmapNoRigLine, "wrong-count", "no line of the file is a rig", kRigLine), kStopsAtRig),
       with_consequence(error(Code::kColmapRigShort, "wrong-count", "the rig ends where {0} must be", kRigLine), kStopsAtRig),
-      about_reader(warning(Code::kColmapRigBehind, "wrong-count",
+      about_reader(warning(Code::kColmapRigAfterLast, "wrong-count",
                            "{0} words after the {1} sensors that NUM_SENSORS counts: COLMAP ignores them",
                            "count the sensors again")),
       with_consequence(

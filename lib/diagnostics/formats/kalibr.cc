@@ -36,7 +36,7 @@ std::span<const CodeInfo> kalibr_codes() {
 
       // Of OpenVINS' chains, too.
       bad_request(Code::kCamchainNoCamera, "no-camera", "{0} needs a camera, but the input has none"),
-      bad_request(Code::kCamchainImuNotStated, "no-camera", "{0} needs {1}, which the input does not contain"),
+      bad_request(Code::kCamchainImuNotGiven, "no-camera", "{0} needs {1}, which the input does not contain"),
       loss(Code::kCamchainImuDropped, "imu-dropped", "{0} noise and rate", "{2}",
            "keep its file; converted to Kalibr's format, into a folder, a complete IMU gets a file there"),
       loss(Code::kCamchainImuIncomplete, "imu-dropped", "{0} noise and rate", "{2}", "also give the program what is missing"),
@@ -49,7 +49,7 @@ std::span<const CodeInfo> kalibr_codes() {
            "keep it for programs that ask for the baseline separately"),
       clause(Code::kCamchainNoKey, "a camchain has no key for it"),
       clause(Code::kCamchainNoPlace, "the written camchain has no place for it"),
-      clause(Code::kCamchainComposedAnew, "a fresh file is written, with what every camchain contains"),
+      clause(Code::kCamchainRewritten, "a fresh file is written, with what every camchain contains"),
       clause(Code::kCamchainOverlapsNoList, "it is not a list of this chain's cameras, which are renumbered"),
       clause(Code::kCamchainOverlapsOfAbsent, "it names a camera that is not in the written chain"),
       clause(Code::kCamchainOverlapsOfItsFile, "it counts the cameras of its own file"),

@@ -63,7 +63,7 @@ std::span<const CodeInfo> opencv_codes() {
       error(Code::kOpencvNotRotationVector, kLength, "{0} is {1} x {2}; it must be a rotation vector of 3 numbers"),
       error(Code::kOpencvAngleTooLarge, "not-a-rotation", "{0} turns by {1:.3} rad",
             "write the rotation axis times the angle in radians"),
-      warning(Code::kOpencvUnitsNotStated, "units-not-stated",
+      warning(Code::kOpencvUnitsNotGiven, "units-not-stated",
               "{0} is {1:.4} long, in the unit of the calibration board, which no file contains; it is read as metres, but is "
               "probably in millimetres",
               "divide it by 1000 if they are millimetres"),
@@ -83,11 +83,11 @@ std::span<const CodeInfo> opencv_codes() {
             "{0} is '{1}', a model of neither cv::projectPoints nor cv::fisheye nor cv::omnidir",
             "if the numbers are nevertheless one of theirs, name the model: pinhole or fisheye"),
       warning(
-          Code::kOpencvForeignModelAsTold, "unknown-model",
+          Code::kOpencvForeignModelAsGiven, "unknown-model",
           "{0} is '{1}', a model of neither cv::projectPoints nor cv::fisheye nor cv::omnidir; it is read as the given {2}"),
-      warning(Code::kOpencvToldInVain, kContradicts,
+      warning(Code::kOpencvGivenInVain, kContradicts,
               "{0}: the given model fisheye, which is for four coefficients, has no effect on this camera"),
-      warning(Code::kOpencvToldOtherwise, kContradicts, "{0} is {1} in the file, but is read as the given {2}"),
+      warning(Code::kOpencvGivenOtherwise, kContradicts, "{0} is {1} in the file, but is read as the given {2}"),
       error(Code::kOpencvAmbiguousModel, "ambiguous-model",
             "{0} has four numbers, and the file does not tell which model: pinhole k1={1} k2={2} p1={3} p2={4} "
             "(cv::projectPoints), or fisheye k1={1} k2={2} k3={3} k4={4} (cv::fisheye)",
@@ -120,7 +120,7 @@ std::span<const CodeInfo> opencv_codes() {
            "the keys of the base file hold one image size for both cameras, and theirs differ",
            "the layout cameras has a size for each"),
 
-      // Written: why a file is composed anew.
+      // Written: why a file is rewritten.
       clause(Code::kOpencvOtherCameras, "its cameras are other ones"),
       clause(Code::kOpencvKeysCannotHoldModel, "its keys cannot hold the model {0}"),
       clause(Code::kOpencvOneKind, "its cameras must be of one kind"),

@@ -131,7 +131,7 @@ std::span<const CodeInfo> orbslam3_codes() {
            "nothing to do below one percent: the noise scales with the square root of the rate"),
       loss(Code::kOrbslam3SecondCameraDropped, "camera-dropped", "{0}", "{2} settings hold one camera", kFileOfItsOwn),
       loss(Code::kOrbslam3ThirdCameraDropped, "camera-dropped", "{0}", "{2} settings hold two cameras", kFileOfItsOwn),
-      clause(Code::kOrbslam3DelayNotStated, "the settings do not contain it ({0})"),
+      clause(Code::kOrbslam3DelayNotGiven, "the settings do not contain it ({0})"),
       clause(Code::kOrbslam3NoKeyForIt, "{0} has no key for it"),
       clause(Code::kOrbslam3TopicsOnCommandLine, "{0} takes topics on its command line"),
       loss(Code::kOrbslam3ImageTopicDropped, "topic-dropped", "{0} {2}", "the keys of the calibration do not hold it",

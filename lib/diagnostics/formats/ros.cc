@@ -37,7 +37,7 @@ std::span<const CodeInfo> ros_codes() {
             "the roi of {0} x {1} pixels at ({2}, {3}) does not lie in an image of {4} x {5}",
             "write zeros for the whole image"),
       error(Code::kRosNoPixelLeft, "image-size-invalid", "after binning, no pixel of the image is left"),
-      error(Code::kRosStatedTwice, "stated-twice", "the camera {0} is here and earlier"),
+      error(Code::kRosCameraTwice, "stated-twice", "the camera {0} is here and earlier"),
       // An .ini.
       warning(Code::kRosIniNoImage, "missing-key",
               "there is no section [image] before the camera: ROS assumes an image of 0 x 0 pixels",

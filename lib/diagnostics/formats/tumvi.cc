@@ -9,7 +9,7 @@ namespace fca::diagnostics {
 
 namespace {
 
-/// What DSO makes of the file, which is right but for that.
+/// What DSO reads from the file, which is right but for that.
 constexpr std::string_view kLenses =
     "EquiDistant, KannalaBrandt or RadTan with 8 numbers (fx fy cx cy and four coefficients), FOV or Pinhole with 5";
 

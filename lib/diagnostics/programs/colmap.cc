@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What COLMAP says to a cameras.txt.
+// What COLMAP reports about a cameras.txt.
 #include "../rows.h"
 #include "../topics.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What DSO says to a camera.txt.
+// What DSO reports about a camera.txt.
 #include "../rows.h"
 #include "../topics.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What Kalibr says to a file. {0} is the key, where the sentence begins with one.
+// What Kalibr reports about a file. {0} is the key, where the sentence begins with one.
 #include "../rows.h"
 #include "../topics.h"
 

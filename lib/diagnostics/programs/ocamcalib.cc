@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What OCamCalib's reader says to a file.
+// What OCamCalib's reader reports about a file.
 #include "../rows.h"
 #include "../topics.h"
 

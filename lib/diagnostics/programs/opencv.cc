@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What OpenCV's functions make of a file. {0} is what is spoken of, "camera_0.camera_matrix"; of sizes rows come first.
+// What OpenCV's functions read from a file. {0} is what is spoken of, "camera_0.camera_matrix"; of sizes rows come first.
 #include "../rows.h"
 #include "../topics.h"
 
@@ -23,7 +23,7 @@ std::span<const CodeInfo> opencv_program_codes() {
                     "{0} is {1} x {2}; OpenCV wants a floating-point vector of 4, 5, 8, 12 or 14 numbers"),
       named_misreading(Code::kCvDistortionMissing,
                        "{0} is missing; OpenCV reads an empty matrix and projects without distortion", kAddTheKey),
-      misreading(Code::kCvToldOtherwise, "{0}: the file contains {1}, the caller asks for {2}"),
+      misreading(Code::kCvGivenOtherwise, "{0}: the file contains {1}, the caller asks for {2}"),
       misreading(Code::kCvFourNumbers,
                  "{0} has 4 numbers, and the file does not tell which function they are for: cv::projectPoints takes k1 k2 p1 "
                  "p2, cv::fisheye k1 k2 k3 k4; taken as the former"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What OpenVINS says to a file. {0} is the key.
+// What OpenVINS reports about a file. {0} is the key.
 #include "../rows.h"
 #include "../topics.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the ORB-SLAM programs say to a file. {0} is the key where there is one; of sizes rows come first.
+// What the ORB-SLAM programs report about a file. {0} is the key where there is one; of sizes rows come first.
 #include "../rows.h"
 #include "../topics.h"
 
@@ -18,7 +18,7 @@ std::span<const CodeInfo> orbslam_program_codes() {
       named_refusal(Code::kOrbslamKeyMissing, "{0} is missing; {1} exits", kAddTheKey),
       named_refusal(Code::kOrbslamNotReal, "{0} is {1}; {2} wants a number with a '.' and exits{3}"),
       named_refusal(Code::kOrbslamNotInt, "{0} is {1}; {2} wants an int and exits{3}"),
-      mend(Code::kOrbslamWriteInt, "real-for-int", ": write {0}"),
+      remedy(Code::kOrbslamWriteInt, "real-for-int", ": write {0}"),
       named_refusal(Code::kOrbslamNotText, "{0} is {1}; {2} wants a string in quotes and exits"),
       named_misreading(Code::kOrbslamTakesLargest, "{0} is {1}, not a number; {2} takes OpenCV's largest number for it"),
       named_refusal(Code::kOrbslamNoMatrix, "{0} is {1}; {2} wants an !!opencv-matrix (rows, cols, dt, data)"),
@@ -84,7 +84,7 @@ std::span<const CodeInfo> orbslam_program_codes() {
           Code::kOrbslamReadsNull,
           "{0} without Camera1.k1: ORB-SLAM3 V1.0 takes camera 2's distortion from camera 1's empty array and reads a "
           "null pointer"),
-      named_misreading(Code::kOrbslamReadsBehindFour,
+      named_misreading(Code::kOrbslamReadsAfterFour,
                        "{0} without Camera1.k3: ORB-SLAM3 V1.0 reads beyond camera 1's four coefficients"),
       named_misreading(Code::kOrbslamSecondPinholeIgnored, "{0} k2 p1 p2 are ignored: ORB-SLAM3 V1.0 uses camera 1's"),
       named_misreading(Code::kOrbslamSecondFisheyeIgnored,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said of every program.
+// Messages about every program.
 #include "../rows.h"
 #include "../topics.h"
 

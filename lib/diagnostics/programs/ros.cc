@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What ROS says to a file.
+// What ROS reports about a file.
 #include "../rows.h"
 #include "../topics.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What Kimera-VIO and cuVSLAM's EuRoC example say to a file. {0} is the key, where the sentence begins with one.
+// What Kimera-VIO and cuVSLAM's EuRoC example report about a file. {0} is the key, where the sentence begins with one.
 #include "../rows.h"
 #include "../topics.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What cv::FileStorage and PyYAML say to a file, what stands in it in their words, and what all programs say of its bytes.
+// What cv::FileStorage and PyYAML report about a file, what stands in it in their words, and what all programs say of its
+// bytes.
 #include "../rows.h"
 #include "../topics.h"
 
@@ -13,7 +14,7 @@ std::span<const CodeInfo> storage_program_codes() {
       refusal(Code::kProgramFileEmpty, "the file is empty"),
       refusal(Code::kProgramFileTooLarge, "the file is larger than 2 MiB; not read"),
       refusal(Code::kProgramNoNumber, "{0} is {1}, not a number"),
-      mend(Code::kProgramWriteReal, "int-for-real", ": write {0}.0"),
+      remedy(Code::kProgramWriteReal, "int-for-real", ": write {0}.0"),
       // cv::FileStorage. {0}: who does not take the file, {1}: its words, or one of the clauses.
       refusal(Code::kStorageZeroByte, "the file contains a zero byte: it is not text"),
       refusal(Code::kStorageTooManyElements, "more than 64 nested or 512 elements; not read"),

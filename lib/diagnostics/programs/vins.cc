@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What VINS-Fusion says to a file: little. {0} is the key, where the sentence begins with one.
+// What VINS-Fusion reports about a file: little. {0} is the key, where the sentence begins with one.
 #include "../rows.h"
 #include "../topics.h"
 

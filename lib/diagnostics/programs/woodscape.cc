@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What WoodScape's readers say to a file: Python, projection.py and omnidet. Where {0} is a path, "intrinsic.k1", it is first.
+// What WoodScape's readers report about a file: Python, projection.py and omnidet. Where {0} is a path, "intrinsic.k1", it is
+// first.
 #include "../rows.h"
 #include "../topics.h"
 

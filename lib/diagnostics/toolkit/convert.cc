@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said of a conversion as it was asked for.
+// Messages about a conversion as requested.
 #include "../rows.h"
 #include "../topics.h"
 
@@ -148,7 +148,7 @@ std::span<const CodeInfo> convert_codes() {
       clause(Code::kOfHeadlineOne, "{0}: one"),
       clause(Code::kHoldsOne, "{0} holds one"),
       clause(Code::kArgumentsHeadline, "arguments for {0}'s command line"),
-      clause(Code::kHeadlineAsRead, "{0}, as {1} reads it"),
+      clause(Code::kHeadlineOfReader, "{0}, as {1} reads it"),
       loss(Code::kImuFileDropped, "second-file-dropped", "{0} with all that it holds",
            "the output is one file, which has no place for it", "write into a folder, where it is a file of its own"),
       note(Code::kMisnamed, "extension",
@@ -166,8 +166,8 @@ std::span<const CodeInfo> convert_codes() {
       note(Code::kProvenanceInJson, "provenance-not-written", "JSON has no comments that could hold where the file comes from"),
 
       // What programs say.
-      note(Code::kMended, "mended", "{0}{1}: done"),
-      clause(Code::kMendedHow, "; {0}"),
+      note(Code::kFixed, "mended", "{0}{1}: done"),
+      clause(Code::kFixedHow, "; {0}"),
       about_reader(warning(Code::kInputRefused, "program-refuses", "fca-io reads {0}, but its own program would refuse it, {1}",
                            "check the file: the check names the place and the fix")),
       about_reader(warning(Code::kInputNotUnderstood, "program-refuses",

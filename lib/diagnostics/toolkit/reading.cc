@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said of inputs.
+// Messages about inputs.
 #include "../rows.h"
 #include "../topics.h"
 
@@ -63,7 +63,7 @@ std::span<const CodeInfo> reading_codes() {
               "check that it is of this camera; it is left out"),
       clause(Code::kImagesByName, "{0}"),
       clause(Code::kImagesByNumber, "{0} image{0:s}"),
-      clause(Code::kLitCircleOf, "the image circle of {0}"),
+      clause(Code::kImageCircleOf, "the image circle of {0}"),
       warning(Code::kImageWithoutCircle, "no-lens-circle",
               "{0}: the image shows no dark border around an image circle about the principal point; the whole image counts as "
               "lens",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said of the other requests, and of files that are saved.
+// Messages about the other requests and about saved files.
 #include "../rows.h"
 #include "../topics.h"
 
@@ -107,7 +107,7 @@ std::span<const CodeInfo> request_codes() {
       error(Code::kNothingToSave, "nothing-to-save", "the conversion was not done: there are no files to write"),
       error(Code::kCannotOpen, kNotWritten, "cannot open {0}: {1}"),
       error(Code::kCannotWrite, kNotWritten, "cannot write {0}: {1}"),
-      error(Code::kCannotCreateBeside, kNotWritten, "cannot create a file next to {0}: {1}"),
+      error(Code::kCannotCreateNextTo, kNotWritten, "cannot create a file next to {0}: {1}"),
       error(Code::kCannotForceToDisk, kNotWritten, "cannot flush the files to the disk: {0}"),
       error(Code::kIsFolder, kNotWritten, "{0} is a directory"),
       error(Code::kFileExists, kNotWritten, "{0} exists"),

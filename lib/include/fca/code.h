@@ -13,14 +13,14 @@ namespace fca {
 
 /// One for each sentence or clause. Sentences about the same defect share an id ("missing-key"); the numbers mean nothing.
 enum class Code : std::uint16_t {
-  kNone,  ///< Says nothing.
+  kNone,  ///< No message.
 
   // Rigs and their images.
   kCropOutside,
   kBinningImpossible,
   kResizeImpossible,
   kImagesStretched,
-  kImageSizeNotStated,
+  kImageSizeNotGiven,
   kLensCircleStretched,
 
   // What a format cannot hold.
@@ -33,8 +33,8 @@ enum class Code : std::uint16_t {
   kCommentsReplaced,
   kCommentsOfFileDropped,
   kHeaderDropped,
-  kComposedAnew,
-  kComposedAnewBecause,
+  kFileRewritten,
+  kFileRewrittenBecause,
   kReplacedOrRemoved,
   kKeepsItsOwnValue,
   kTimeOffsetDropped,
@@ -53,7 +53,7 @@ enum class Code : std::uint16_t {
   kPosesOfGroup,
   kKeepTheInput,
 
-  // What DSO says to a camera.txt.
+  // What DSO reports about a camera.txt.
   kDsoLineTooLong,
   kDsoUnknownLens,
   kDsoNumberNotFinite,
@@ -79,7 +79,7 @@ enum class Code : std::uint16_t {
   kVerdictPosesDiffer,
   kVerdictNumbersDiffer,
   kVerdictPosesContradict,
-  kPoseWrittenAsStated,
+  kPoseWrittenAsGiven,
   kPoseWrittenAsDerived,
   kPosesWrittenBoth,
   kOthersAgree,
@@ -150,7 +150,7 @@ enum class Code : std::uint16_t {
   kRotationElementTooLarge,
   kNotOrthonormal,
 
-  // What happens when a model is fitted and judged.
+  // What happens when a model is fitted and evaluated.
   kUnknownModel,
   kSamplesInvalid,
   kModelHasNoDegree,
@@ -193,14 +193,14 @@ enum class Code : std::uint16_t {
   kFoldsInsideImage,
   kFocalLengthsDiffer,
   kCentreOutside,
-  kDomainGiven,
-  kDomainInsideGiven,
-  kDomainModelEnds,
-  kDomainWholeImage,
-  kDomainInsideCircle,
-  kDomainAndInsideCircle,
-  kDomainAndCircle,
-  kDomainWithoutRay,
+  kFieldOfViewGiven,
+  kFieldOfViewInsideGiven,
+  kFieldOfViewModelEnds,
+  kFieldOfViewWholeImage,
+  kFieldOfViewInsideCircle,
+  kFieldOfViewAndInsideCircle,
+  kFieldOfViewAndCircle,
+  kFieldOfViewWithoutRay,
 
   // How two calibrations differ, and by which mistake.
   kResolutionDiffers,
@@ -238,7 +238,7 @@ enum class Code : std::uint16_t {
   kParametersExchanged,
   kCoefficientsInOrder,
   kUnderAnotherName,
-  kDistortionLeftOut,
+  kDistortionRemoved,
   kTimeOffsetOfOtherSign,
   kNoiseDiscrete,
   kNoiseDividedByRate,
@@ -287,10 +287,10 @@ enum class Code : std::uint16_t {
   kJsonWrongEscape,
   kJsonBracketOpen,
   kJsonEndsEarly,
-  kJsonCommaBehindLast,
+  kJsonCommaAfterLast,
   kJsonSingleQuotes,
   kJsonComment,
-  kJsonBehindRoot,
+  kJsonAfterRoot,
   kJsonKeyWanted,
   kJsonColonMissing,
   kJsonCommaMissing,
@@ -306,7 +306,7 @@ enum class Code : std::uint16_t {
   kLiteralWrongEscape,
   kLiteralBracketOpen,
   kLiteralEndsEarly,
-  kLiteralBehindRoot,
+  kLiteralAfterRoot,
   kLiteralKeyWanted,
   kLiteralColonMissing,
   kLiteralCommaMissing,
@@ -336,7 +336,7 @@ enum class Code : std::uint16_t {
   kBinaryModel,
   kBinarySensor,
   kBinaryPoseFlag,
-  kBinaryBehind,
+  kBinaryAfterEnd,
   kNpyTruncated,
   kNpyLonger,
   kNpyOtherArray,
@@ -386,7 +386,7 @@ enum class Code : std::uint16_t {
   kNumberWithoutName,
 
   // Files and formats, whichever.
-  kFormatTold,
+  kFormatGiven,
   kFoundKey,
   kFoundKeys,
   kFoundTopLevel,
@@ -474,7 +474,7 @@ enum class Code : std::uint16_t {
   kImuInMainFile,
   kPoseInTwoFiles,
   kPoseContradictsOthers,
-  kPoseOfEachUnstated,
+  kPoseOfEachMissing,
   kFormatHasNoModel,
   kFormatHasNoValue,
   kFormatNeedsCamera,
@@ -526,14 +526,14 @@ enum class Code : std::uint16_t {
   kCamchainNothing,
   kCamchainNoCamera,
   kCamchainSizeMissing,
-  kCamchainImuNotStated,
+  kCamchainImuNotGiven,
   kCamchainImuDropped,
   kCamchainImuIncomplete,
   kCamchainImuDemands,
   kCamchainBaselineDropped,
   kCamchainNoKey,
   kCamchainNoPlace,
-  kCamchainComposedAnew,
+  kCamchainRewritten,
   kCamchainOverlapsNoList,
   kCamchainOverlapsOfAbsent,
   kCamchainOverlapsOfItsFile,
@@ -669,7 +669,7 @@ enum class Code : std::uint16_t {
   kOpencvSkewKept,
   kOpencvSizeNotTwoNumbers,
   kOpencvPoseNotFourByFour,
-  kOpencvUnitsNotStated,
+  kOpencvUnitsNotGiven,
   kOpencvPoseMissing,
   kOpencvNotRotationMatrix,
   kOpencvNotRotationVector,
@@ -688,9 +688,9 @@ enum class Code : std::uint16_t {
   kOpencvOmnidirWantsFour,
   kOpencvCoefficientCount,
   kOpencvForeignModel,
-  kOpencvForeignModelAsTold,
-  kOpencvToldInVain,
-  kOpencvToldOtherwise,
+  kOpencvForeignModelAsGiven,
+  kOpencvGivenInVain,
+  kOpencvGivenOtherwise,
   kOpencvAmbiguousModel,
   kOpencvStale,
   kOpencvStaleKept,
@@ -883,7 +883,7 @@ enum class Code : std::uint16_t {
   kColmapRigLines,
   kColmapNoRigLine,
   kColmapRigShort,
-  kColmapRigBehind,
+  kColmapRigAfterLast,
   kColmapRigIdTwice,
   kColmapSensorType,
   kColmapSensorTwice,
@@ -979,7 +979,7 @@ enum class Code : std::uint16_t {
   kOrbslam3ImuRateRounded,
   kOrbslam3SecondCameraDropped,
   kOrbslam3ThirdCameraDropped,
-  kOrbslam3DelayNotStated,
+  kOrbslam3DelayNotGiven,
   kOrbslam3NoKeyForIt,
   kOrbslam3TopicsOnCommandLine,
   kOrbslam3ImageTopicDropped,
@@ -1076,7 +1076,7 @@ enum class Code : std::uint16_t {
   kRosRoiNegative,
   kRosRoiOutside,
   kRosNoPixelLeft,
-  kRosStatedTwice,
+  kRosCameraTwice,
   kRosIniNoImage,
   kRosIniNoCamera,
   kRosIniManyCameras,
@@ -1110,7 +1110,7 @@ enum class Code : std::uint16_t {
   kRosWroteNoPair,
   kRosWrotePair,
 
-  // What Kalibr says to a file.
+  // What Kalibr reports about a file.
   kKalibrSaysNotParsed,
   kKalibrSaysFileNoMap,
   kKalibrSaysNoCamera,
@@ -1150,7 +1150,7 @@ enum class Code : std::uint16_t {
   kKalibrSaysImuNotPositive,
   kKalibrSaysImuTopic,
 
-  // What OpenVINS says to a file.
+  // What OpenVINS reports about a file.
   kOpenVinsSaysKeyMissing,
   kOpenVinsSaysTooFewNumbers,
   kOpenVinsSaysNoNumbers,
@@ -1161,7 +1161,7 @@ enum class Code : std::uint16_t {
   kOpenVinsSaysTimeshiftNotRead,
   kOpenVinsSaysImuMissing,
 
-  // What cv::FileStorage and PyYAML say to a file.
+  // What cv::FileStorage and PyYAML report about a file.
   kProgramFileEmpty,
   kProgramFileTooLarge,
   kProgramNoNumber,
@@ -1204,7 +1204,7 @@ enum class Code : std::uint16_t {
   kPyYamlString,
   kPyYamlList,
 
-  // What ROS says to a file.
+  // What ROS reports about a file.
   kRosSaysNotParsed,
   kRosSaysAtKey,
   kRosSaysMatrixSize,
@@ -1226,7 +1226,7 @@ enum class Code : std::uint16_t {
   kRosSaysCoefficientsOfZeros,
   kRosSaysSkewUnused,
 
-  // What VINS-Fusion says to a file.
+  // What VINS-Fusion reports about a file.
   kVinsSaysMissing,
   kVinsSaysNoNumber,
   kVinsSaysSizeMissing,
@@ -1245,7 +1245,7 @@ enum class Code : std::uint16_t {
   kVinsSaysPoseSize,
   kVinsSaysZero,
 
-  // What Basalt says to a file.
+  // What Basalt reports about a file.
   kBasaltSaysNotParsed,
   kBasaltSaysFileNoObject,
   kBasaltSaysMissing,
@@ -1261,7 +1261,7 @@ enum class Code : std::uint16_t {
   kBasaltSaysQuaternionLength,
   kBasaltSaysTimeOffsetNoInt,
 
-  // What Kimera-VIO says to a file.
+  // What Kimera-VIO reports about a file.
   kKimeraSaysFewCoefficients,
   kKimeraSaysFourCoefficients,
   kKimeraSaysUnknownModel,
@@ -1272,11 +1272,11 @@ enum class Code : std::uint16_t {
   kKimeraSaysFirstFour,
   kKimeraSaysNoIdentity,
 
-  // What cuVSLAM's EuRoC example says to a file.
+  // What cuVSLAM's EuRoC example reports about a file.
   kCuvslamSaysNoPose,
   kCuvslamSaysTakenForBrown,
 
-  // What mrcal says to a file.
+  // What mrcal reports about a file.
   kMrcalSaysOnlyNewPose,
   kMrcalSaysPosesDiffer,
   kMrcalSaysOtherLens,
@@ -1287,7 +1287,7 @@ enum class Code : std::uint16_t {
   kMrcalSaysRegion,
   kMrcalSaysSize,
 
-  // What COLMAP says to a file.
+  // What COLMAP reports about a file.
   kColmapSaysNoCamera,
   kColmapSaysLine,
   kColmapSaysUnknownModel,
@@ -1307,7 +1307,7 @@ enum class Code : std::uint16_t {
   kColmapSaysNoRigLine,
   kColmapSaysSensorTwice,
 
-  // What nerfstudio, instant-ngp and others say to a transforms.json.
+  // What nerfstudio, instant-ngp and others report about a transforms.json.
   kNerfSaysNotParsed,
   kNerfSaysNoObject,
   kNerfSaysNoFrames,
@@ -1330,7 +1330,7 @@ enum class Code : std::uint16_t {
   kNerfSaysAngleFirst,
   kNerfSaysColmapPinhole,
 
-  // What OpenCV's functions make of a file.
+  // What OpenCV's functions read from a file.
   kCvNoCameraMatrix,
   kCvOtherMatrixFirst,
   kCvNoMatrix,
@@ -1340,7 +1340,7 @@ enum class Code : std::uint16_t {
   kCvMatrixTransposed,
   kCvDistortionSize,
   kCvDistortionMissing,
-  kCvToldOtherwise,
+  kCvGivenOtherwise,
   kCvFourNumbers,
   kCvCoefficientsNotFour,
   kCvSkewUnused,
@@ -1355,7 +1355,7 @@ enum class Code : std::uint16_t {
   kCvKeyMissing,
   kCvPoseSize,
 
-  // What OCamCalib's reader says to a file.
+  // What OCamCalib's reader reports about a file.
   kOcamNotOpened,
   kOcamCoefficientCount,
   kOcamLosesWay,
@@ -1370,7 +1370,7 @@ enum class Code : std::uint16_t {
   kOcamCentreSwapped,
   kOcamInverseFarOff,
 
-  // What WoodScape's readers say to a file.
+  // What WoodScape's readers report about a file.
   kPythonJsonBom,
   kPythonJsonZeroByte,
   kPythonJsonTooDeep,
@@ -1398,7 +1398,7 @@ enum class Code : std::uint16_t {
   kOmnidetNotComparable,
   kOmnidetAspectRatio,
 
-  // What the ORB-SLAM programs say to a file.
+  // What the ORB-SLAM programs report about a file.
   kOrbslamNoSensor,
   kOrbslamXml,
   kOrbslamNoHeader,
@@ -1443,7 +1443,7 @@ enum class Code : std::uint16_t {
   kOrbslamRectifiedAlike,
   kOrbslamSecondNeverRead,
   kOrbslamReadsNull,
-  kOrbslamReadsBehindFour,
+  kOrbslamReadsAfterFour,
   kOrbslamSecondPinholeIgnored,
   kOrbslamSecondFisheyeIgnored,
   kOrbslamPoseSize,
@@ -1453,7 +1453,7 @@ enum class Code : std::uint16_t {
   kOrbslamDepthNotUndistorted,
   kOrbslamDepthByPinhole,
 
-  // What is said of every program.
+  // Messages about every program.
   kProgramAsMode,
   kProgramWouldMisread,
   kProgramMisreadsAll,
@@ -1520,7 +1520,7 @@ enum class Code : std::uint16_t {
   kConvertFor,
   kConvertWithModel,
   kConvertWithLayout,
-  kConvertAnew,
+  kConvertWithRewrite,
   kConvertWithSize,
   kCorrectOrRewrite,
   kConvertToFile,
@@ -1540,7 +1540,7 @@ enum class Code : std::uint16_t {
   kHeaderInFirstLine,
   kHeaderWithMark,
   kHeaderWithoutMark,
-  kBlanksBehindColons,
+  kBlanksAfterColons,
   kLayoutOfOpenCv,
   kLayoutWithoutMark,
   kLayoutBegins,
@@ -1561,8 +1561,8 @@ enum class Code : std::uint16_t {
   kFocalLengthTooShort,
   kFocalLengthTooLong,
   kFocalLengthsUnlike,
-  kSizeToldDiffers,
-  kImageNotJudged,
+  kSizeGivenDiffers,
+  kImageNotEvaluated,
   kFoldsInImage,
   kFoldsAtCircle,
   kSecondSphere,
@@ -1604,7 +1604,7 @@ enum class Code : std::uint16_t {
   kPairFarApart,
   kRectificationContradicts,
 
-  // What a finding's id means, whichever of its sentences is said; by id.
+  // The meaning of a finding's id, for all of its sentences; sorted by id.
   kAnyA1NotZero,
   kAnyAmbiguousFormat,
   kAnyAmbiguousModel,
@@ -1738,7 +1738,7 @@ enum class Code : std::uint16_t {
   kAnyYamlSyntax,
   kAnyYamlTab,
 
-  // What is said of inputs.
+  // Messages about inputs.
   kUnknownCamera,
   kCameraTwice,
   kPartMissing,
@@ -1772,12 +1772,12 @@ enum class Code : std::uint16_t {
   kCirclesDiffer,
   kImagesByName,
   kImagesByNumber,
-  kLitCircleOf,
+  kImageCircleOf,
   kImageWithoutCircle,
   kImagesWithoutCircle,
   kCircleInStretchedImages,
 
-  // What is said of a conversion as it was asked for.
+  // Messages about a conversion as requested.
   kModeWithoutUse,
   kRateWithoutUse,
   kBaselineWithoutUse,
@@ -1841,15 +1841,15 @@ enum class Code : std::uint16_t {
   kHoldsOne,
   kImuFileDropped,
   kArgumentsHeadline,
-  kHeadlineAsRead,
+  kHeadlineOfReader,
   kMisnamed,
   kOtherFormInFolder,
   kLayoutNotKept,
   kProvenanceHasNoRoom,
   kProvenanceInJson,
   kProvenanceInBinary,
-  kMended,
-  kMendedHow,
+  kFixed,
+  kFixedHow,
   kInputRefused,
   kInputNotUnderstood,
   kEditNotProven,
@@ -1863,7 +1863,7 @@ enum class Code : std::uint16_t {
   kHasNoPixel,
   kPixelsDiffer,
 
-  // What is said of the other requests, and of files that are saved.
+  // Messages about the other requests and about saved files.
   kNoInput,
   kNoTarget,
   kFileWithoutCamera,
@@ -1920,7 +1920,7 @@ enum class Code : std::uint16_t {
   kNothingToSave,
   kCannotOpen,
   kCannotWrite,
-  kCannotCreateBeside,
+  kCannotCreateNextTo,
   kCannotForceToDisk,
   kIsFolder,
   kFileExists,
@@ -1928,7 +1928,7 @@ enum class Code : std::uint16_t {
   kPathFails,
   kFolderMissing,
 
-  // What the command itself says: of its words, its images, its outputs.
+  // Messages of the command itself, about its words, images and outputs.
   kUsage,
   kRefused,
   kOverwritesInput,
@@ -1946,12 +1946,12 @@ enum class Code : std::uint16_t {
   kCount  ///< No code: how many there are.
 };
 
-/// What a message is about.
+/// The subject of a message.
 enum class About : std::uint8_t {
-  kMeaning,  ///< What a file says of the cameras.
-  kPoses,    ///< The same, of where they stand.
-  kReader,   ///< What a program makes of a file.
-  kUse,      ///< What was asked for.
+  kMeaning,  ///< What a file contains about the cameras.
+  kPoses,    ///< What it contains about their poses.
+  kReader,   ///< What a program reads from a file.
+  kUse,      ///< What the user requests.
 };
 
 /// A row of the table. {0}, {1} ... stand for the message's arguments (fca/formats/text/message.h says how they are written).

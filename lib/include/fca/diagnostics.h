@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is wrong, where, and how to mend it. Library functions report here; they never print, exit or abort.
+// What is wrong, where, and how to fix it. Library functions report here; they never print, exit or abort.
 #pragma once
 
 #include <fca/message.h>
@@ -31,7 +31,7 @@ struct Diagnostic {
   Severity severity = Severity::kError;
   Message facts;  ///< What is wrong.
   SourceRange where = {};
-  Message remedy = {};  ///< How to mend it, where the caller knows better than the table: that code's `fix`, else its `text`.
+  Message remedy = {};  ///< How to fix it, where the caller knows better than the table: that code's `fix`, else its `text`.
   Code kind = {};       ///< Whose id it has, where that is not the sentence's: that of the error that this one wraps.
 };
 

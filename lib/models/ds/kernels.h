@@ -34,7 +34,7 @@ struct RayKernel<Ds> {
 template <>
 struct PixelKernel<Ds> {
   double fx, fy, cx, cy, alpha, xi;
-  PixelKernel(const double* p, double /*reach*/) : fx(p[0]), fy(p[1]), cx(p[2]), cy(p[3]), alpha(p[4]), xi(p[5]) {}
+  PixelKernel(const double* p, double /*max_angle_rad*/) : fx(p[0]), fy(p[1]), cx(p[2]), cy(p[3]), alpha(p[4]), xi(p[5]) {}
   PixelOfRay operator()(const UnitRay& ray) const {
     const double r2 = ray.x * ray.x + ray.y * ray.y;
     const double behind = (xi * xi * r2 + (xi - 1.0) * (xi + 1.0) * ray.z * ray.z) / (xi - ray.z);

@@ -11,11 +11,11 @@ void Fov::polar_form(const double* p, const internal::AngleSeries& angle, intern
   using internal::from_library;
   using internal::kRoundOff;
   using internal::Series;
-  const Ball slope = exactly(2.0) * from_library(std::tan(0.5 * p[4]));
+  const Ball tangent = exactly(2.0) * from_library(std::tan(0.5 * p[4]));
   // d/dangle atan2(k sin, cos) = k / (k^2 sin^2 + cos^2)
-  const Series denominator = (slope * slope) + (exactly(1.0) - slope * slope) * (angle.cosine * angle.cosine);
-  const Series derivative = constant(slope) / denominator;
-  const double value = std::atan2(slope.mid * std::sin(angle.at.mid), std::cos(angle.at.mid));
+  const Series denominator = (tangent * tangent) + (exactly(1.0) - tangent * tangent) * (angle.cosine * angle.cosine);
+  const Series derivative = constant(tangent) / denominator;
+  const double value = std::atan2(tangent.mid * std::sin(angle.at.mid), std::cos(angle.at.mid));
   // At the centre, and by the largest derivative around it; rounding inside atan2 counts at most like a rotation of the ray.
   constexpr double kRotation = 8.0 * kRoundOff;
   const Ball start = from_library(value, derivative[0].magnitude() * angle.at.rad + kRotation);

@@ -24,7 +24,7 @@ template <>
 struct PixelKernel<Kb4> {
   double fx, fy, cx, cy;
   std::array<double, 5> radial;
-  PixelKernel(const double* p, double /*reach*/)
+  PixelKernel(const double* p, double /*max_angle_rad*/)
       : fx(p[0]), fy(p[1]), cx(p[2]), cy(p[3]), radial{1.0, p[4], p[5], p[6], p[7]} {}
   PixelOfRay operator()(const UnitRay& ray) const {
     const double r = std::sqrt(ray.x * ray.x + ray.y * ray.y + kTiny);

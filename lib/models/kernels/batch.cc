@@ -63,9 +63,11 @@ FCA_MULTIVERSIONED long long count_doubts(const Batch& batch, std::size_t count,
   return doubts;
 }
 
-KernelsOf<ModelList>::Pixels pixel_kernel(const CameraModel& model, double reach) {
+KernelsOf<ModelList>::Pixels pixel_kernel(const CameraModel& model, double max_angle_rad) {
   return std::visit(
-      [&]<class M>(const Intrinsics<M>& m) -> KernelsOf<ModelList>::Pixels { return PixelKernel<M>(m.values.data(), reach); },
+      [&]<class M>(const Intrinsics<M>& m) -> KernelsOf<ModelList>::Pixels {
+        return PixelKernel<M>(m.values.data(), max_angle_rad);
+      },
       model);
 }
 
@@ -80,11 +82,11 @@ BatchRays::BatchRays(const CameraModel& model, double lens)
 
 void BatchRays::operator()(Batch& batch, std::size_t count) const { all_rays(kernel_, batch, count); }
 
-BatchErrors::BatchErrors(const CameraModel& model, double reach) : kernel_(pixel_kernel(model, reach)) {}
+BatchErrors::BatchErrors(const CameraModel& model, double max_angle_rad) : kernel_(pixel_kernel(model, max_angle_rad)) {}
 
 void BatchErrors::operator()(Batch& batch, std::size_t count) const { all_errors(kernel_, batch, count); }
 
-BatchPixels::BatchPixels(const CameraModel& model, double reach) : kernel_(pixel_kernel(model, reach)) {}
+BatchPixels::BatchPixels(const CameraModel& model, double max_angle_rad) : kernel_(pixel_kernel(model, max_angle_rad)) {}
 
 void BatchPixels::operator()(Batch& batch, std::size_t count) const { all_pixels(kernel_, batch, count); }
 

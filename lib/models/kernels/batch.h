@@ -11,7 +11,7 @@
 
 namespace fca::internal {
 
-/// What a pair of models makes of a pixel.
+/// What a pair of models computes for a pixel.
 enum class Verdict : std::uint8_t { kOutsideLens, kUnrepresentable, kScored };
 
 struct Point {
@@ -58,11 +58,11 @@ class BatchRays {
 /// Whether the first `count` rays are all there, with a cosine above `cosine` and a finite error.
 [[nodiscard]] bool all_within(const Batch& batch, std::size_t count, double cosine);
 
-/// The errors of the first `count` rays of batches; those outside the model's domain, or further from the axis than `reach`,
-/// get any error.
+/// The errors of the first `count` rays of batches; those outside the model's domain, or further from the axis than
+/// `max_angle_rad`, get any error.
 class BatchErrors {
  public:
-  BatchErrors(const CameraModel& model, double reach);
+  BatchErrors(const CameraModel& model, double max_angle_rad);
   void operator()(Batch& batch, std::size_t count) const;
 
  private:
@@ -72,7 +72,7 @@ class BatchErrors {
 /// The pixels of the first `count` rays of batches, as u and v; not finite: ask the model. Rays as for BatchErrors.
 class BatchPixels {
  public:
-  BatchPixels(const CameraModel& model, double reach);
+  BatchPixels(const CameraModel& model, double max_angle_rad);
   void operator()(Batch& batch, std::size_t count) const;
 
  private:

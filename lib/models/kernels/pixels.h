@@ -15,12 +15,12 @@ struct PixelOfRay {
   double v;
 };
 
-/// The model's formula. Specialisations, PixelKernel(p, reach) for rays within the angle `reach`, are for formulas of which a
-/// compiler makes no SIMD.
+/// The model's formula. Specialisations, PixelKernel(p, reach) for rays within the angle `max_angle_rad`, are for formulas of
+/// which a compiler makes no SIMD.
 template <class M>
 struct PixelKernel {
   std::array<double, kParameterCount<M>> p;
-  PixelKernel(const double* values, double /*reach*/) { std::copy_n(values, p.size(), p.data()); }
+  PixelKernel(const double* values, double /*max_angle_rad*/) { std::copy_n(values, p.size(), p.data()); }
   PixelOfRay operator()(const UnitRay& ray) const {
     const double xyz[3] = {ray.x, ray.y, ray.z};
     double pixel[2] = {0.0, 0.0};

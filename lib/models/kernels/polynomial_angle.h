@@ -19,14 +19,14 @@ class PolynomialAngle {
  public:
   PolynomialAngle(const std::array<double, N>& c, double lens, double model)
       : c_(c), none_beyond_(kSurelyOutside * radius(std::min(lens, model)) + kRadiusSlack), largest_(kSurelyInside * model) {
-    for (std::size_t k = 0; k < N; ++k) slope_[k] = (1.0 + kPower * static_cast<double>(k)) * c[k];
+    for (std::size_t k = 0; k < N; ++k) derivative_[k] = (1.0 + kPower * static_cast<double>(k)) * c[k];
     const double smooth = std::min(lens, kSmooth * model);
     const double end = radius(smooth);
     start_ = Interpolant(kPower == 2 ? end * end : end, [&](double x) {
       const double at = kPower == 2 ? std::sqrt(x) : x;
-      const auto f = [this](double angle, double& value, double& slope) {
+      const auto f = [this](double angle, double& value, double& derivative) {
         value = radius(angle);
-        slope = horner(slope_, power(angle));
+        derivative = horner(derivative_, power(angle));
       };
       double angle = smooth * at / end;
       return invert_increasing(f, at, smooth, angle) ? angle / at : kAskModel;
@@ -41,7 +41,7 @@ class PolynomialAngle {
     double step = 0.0;
     repeat<kSteps>([&] {
       const double t = power(angle);
-      step = (angle * horner(c_, t) - r) / horner(slope_, t);
+      step = (angle * horner(c_, t) - r) / horner(derivative_, t);
       angle -= step;
     });
     const SineCosine of_angle = sine_cosine(angle);
@@ -56,7 +56,7 @@ class PolynomialAngle {
   [[nodiscard]] double radius(double angle) const { return angle * horner(c_, power(angle)); }
 
   std::array<double, N> c_;
-  std::array<double, N> slope_{};
+  std::array<double, N> derivative_{};
   Interpolant start_;
   double none_beyond_;
   double largest_;

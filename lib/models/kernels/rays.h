@@ -25,7 +25,7 @@ inline constexpr double kLastStep = 1e-8;
 /// Kernels leave to the model what is closer than this to its limit; and further: there no polynomial is near its inverse.
 inline constexpr double kSurelyInside = 0.999;
 inline constexpr double kSurelyOutside = 1.0 + 1e-9;
-/// A domain may be the axis alone, an image of one pixel: no radius below this is surely outside.
+/// A field of view may be the axis alone, an image of one pixel: no radius below this is surely outside.
 inline constexpr double kRadiusSlack = 1e-6;
 inline constexpr double kSmooth = 0.97;
 /// Added to squares, so that a radius is never 0 and (x, y) / radius is 0 on the axis.

@@ -29,18 +29,18 @@ class TangentialInverse {
     std::copy_n(q, Factor::kCount, q_.data());
     const double largest = kSurelyInside * TangentialOver<Factor>::max_radius(q);
     largest_square_ = largest * largest;
-    const auto radial = [this](double r, double& value, double& slope) {
-      Factor::factor_and_slope(q_.data(), r * r, value, slope);
-      slope = value + 2.0 * r * r * slope;
+    const auto radial = [this](double r, double& value, double& derivative) {
+      Factor::factor_and_derivative(q_.data(), r * r, value, derivative);
+      derivative = value + 2.0 * r * r * derivative;
       value *= r;
     };
     double none_beyond = 0.0;
     double end = 0.0;
-    double slope = 0.0;
-    radial(lens, none_beyond, slope);
+    double derivative = 0.0;
+    radial(lens, none_beyond, derivative);
     none_beyond = kSurelyOutside * (none_beyond + 3.0 * length(q[2], q[3]) * lens * lens) + kRadiusSlack;
     none_beyond_square_ = std::isfinite(none_beyond) ? none_beyond * none_beyond : kAskModel;
-    radial(smooth, end, slope);
+    radial(smooth, end, derivative);
     start_ = Interpolant(end * end, [&](double square) {
       const double at = std::sqrt(square);
       double r = smooth * at / end;
@@ -60,14 +60,14 @@ class TangentialInverse {
     repeat<kSteps>([&] {
       const double r2 = x * x + y * y;
       double radial = 0.0;
-      double slope = 0.0;
-      Factor::factor_and_slope(q_.data(), r2, radial, slope);
+      double derivative = 0.0;
+      Factor::factor_and_derivative(q_.data(), r2, radial, derivative);
       const double xy2 = 2.0 * x * y;
       const double ex = x * radial + p1 * xy2 + p2 * (r2 + 2.0 * x * x) - mx;
       const double ey = y * radial + p1 * (r2 + 2.0 * y * y) + p2 * xy2 - my;
-      const double xx = radial + 2.0 * (x * x * slope + p1 * y) + 6.0 * p2 * x;
-      const double yy = radial + 2.0 * (y * y * slope + p2 * x) + 6.0 * p1 * y;
-      const double across = xy2 * slope + 2.0 * (p1 * x + p2 * y);
+      const double xx = radial + 2.0 * (x * x * derivative + p1 * y) + 6.0 * p2 * x;
+      const double yy = radial + 2.0 * (y * y * derivative + p2 * x) + 6.0 * p1 * y;
+      const double across = xy2 * derivative + 2.0 * (p1 * x + p2 * y);
       const double inverse = 1.0 / (xx * yy - across * across);
       const double dx = (yy * ex - across * ey) * inverse;
       const double dy = (xx * ey - across * ex) * inverse;

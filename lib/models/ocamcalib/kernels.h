@@ -46,20 +46,20 @@ template <>
 struct PixelKernel<Ocamcalib> {
   double cx, cy, c, d, e;
   std::array<double, 9> g{};
-  std::array<double, 8> slope{};
+  std::array<double, 8> derivative{};
   Interpolant start;  ///< rho / sqrt(1 - cos)
   double largest_rho;
 
-  PixelKernel(const double* p, double reach) : cx(p[0]), cy(p[1]), c(p[2]), d(p[3]), e(p[4]) {
+  PixelKernel(const double* p, double max_angle_rad) : cx(p[0]), cy(p[1]), c(p[2]), d(p[3]), e(p[4]) {
     std::array<double, 9> growth{};
     for (std::size_t k = 0; k < g.size(); ++k) {
       g[k] = -p[5 + k];
       growth[k] = (1.0 - static_cast<double>(k)) * g[k];
-      if (k > 0) slope[k - 1] = static_cast<double>(k) * g[k];
+      if (k > 0) derivative[k - 1] = static_cast<double>(k) * g[k];
     }
     // 0 leaves everything to the model.
     largest_rho = !(c > d * e) ? 0.0 : kSurelyInside * positive_until(growth, std::numeric_limits<double>::infinity());
-    const double last = std::min(reach, kSmooth * Ocamcalib::max_angle(p));
+    const double last = std::min(max_angle_rad, kSmooth * Ocamcalib::max_angle(p));
     start = Interpolant(1.0 - std::cos(last), [&](double below) {
       const double ray[3] = {std::sqrt(below * (2.0 - below)), 0.0, 1.0 - below};
       double pixel[2];
@@ -73,7 +73,7 @@ struct PixelKernel<Ocamcalib> {
     double rho = std::sqrt(std::abs(below)) * start(below);
     double step = 0.0;
     repeat<kSteps>([&] {
-      step = (horner(g, rho) * r - ray.z * rho) / (horner(slope, rho) * r - ray.z);
+      step = (horner(g, rho) * r - ray.z * rho) / (horner(derivative, rho) * r - ray.z);
       rho -= step;
     });
     const double scale = rho / r + ask_unless(std::abs(step) <= kLastStep * rho) + ask_unless(rho < largest_rho);

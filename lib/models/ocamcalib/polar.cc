@@ -15,14 +15,14 @@ namespace {
 
 /// F(rho, angle) = g(rho) sin - rho cos, whose root is ocamcalib's radius, and dF/drho.
 struct ImplicitRadius {
-  std::array<double, 9> g{};      ///< The height of the ray ahead of the camera, ascending.
-  std::array<double, 8> slope{};  ///< dg/drho
+  std::array<double, 9> g{};             ///< The height of the ray ahead of the camera, ascending.
+  std::array<double, 8> g_derivative{};  ///< dg/drho
   std::size_t degree = 0;
 
   explicit ImplicitRadius(const double* a) {
     for (std::size_t k = 0; k < g.size(); ++k) {
       g[k] = -a[k];
-      if (k > 0) slope[k - 1] = static_cast<double>(k) * g[k];
+      if (k > 0) g_derivative[k - 1] = static_cast<double>(k) * g[k];
       if (a[k] != 0.0) degree = k;
     }
   }
@@ -38,7 +38,7 @@ struct ImplicitRadius {
     return at(g, degree, rho) * sine - rho * cosine;
   }
   [[nodiscard]] Ball derivative(const Ball& rho, const Ball& sine, const Ball& cosine) const {
-    return at(slope, degree > 0 ? degree - 1 : 0, rho) * sine - cosine;
+    return at(g_derivative, degree > 0 ? degree - 1 : 0, rho) * sine - cosine;
   }
 };
 
@@ -95,7 +95,7 @@ void continue_radius(const ImplicitRadius& f, Series& rho) {
   PolynomialOf h_of_rho(h, f.degree, rho);
   Series g_series;
   Series h_series;
-  Series slope;
+  Series derivative;
   for (std::size_t k = 0; k < kOrder; ++k) {
     g_series[k] = g_of_rho.coefficient(k);
     h_series[k] = h_of_rho.coefficient(k);
@@ -106,9 +106,9 @@ void continue_radius(const ImplicitRadius& f, Series& rho) {
       radii.add(rho[i], rho[k - i]);
     }
     ProductSum known;
-    for (std::size_t i = 1; i <= k; ++i) known.add(h_series[i], slope[k - i]);
-    slope[k] = (heights.ball() + radii.ball() - known.ball()) / h_series[0];
-    rho[k + 1] = slope[k] / exactly(static_cast<double>(k + 1));
+    for (std::size_t i = 1; i <= k; ++i) known.add(h_series[i], derivative[k - i]);
+    derivative[k] = (heights.ball() + radii.ball() - known.ball()) / h_series[0];
+    rho[k + 1] = derivative[k] / exactly(static_cast<double>(k + 1));
   }
 }
 

@@ -20,7 +20,7 @@ struct RayKernel<Rational> : PerspectiveRays<Rational, RationalFactor> {
 template <>
 struct PixelKernel<Rational> {
   std::array<double, 12> p;
-  PixelKernel(const double* values, double /*reach*/) { std::copy_n(values, p.size(), p.data()); }
+  PixelKernel(const double* values, double /*max_angle_rad*/) { std::copy_n(values, p.size(), p.data()); }
   PixelOfRay operator()(const UnitRay& ray) const {
     const double inverse = 1.0 / ray.z;
     const double x = ray.x * inverse;

@@ -27,7 +27,7 @@ template <>
 struct PixelKernel<Woodscape> {
   double aspect, cx, cy;
   std::array<double, 4> radial;
-  PixelKernel(const double* p, double /*reach*/) : aspect(p[4]), cx(p[5]), cy(p[6]), radial{p[0], p[1], p[2], p[3]} {}
+  PixelKernel(const double* p, double /*max_angle_rad*/) : aspect(p[4]), cx(p[5]), cy(p[6]), radial{p[0], p[1], p[2], p[3]} {}
   PixelOfRay operator()(const UnitRay& ray) const {
     const double r = std::sqrt(ray.x * ray.x + ray.y * ray.y + kTiny);
     const double angle = angle_of(ray.z, r);

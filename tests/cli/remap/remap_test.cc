@@ -254,7 +254,7 @@ TEST(Remap, TakesManyImages) {
   EXPECT_EQ(run_program({"remap", camera, folder / "in", "--pinhole", "60", "-o", folder / "{camera}.png"}).code, 3);
 }
 
-TEST(Remap, SaysBothSizesAndTheMending) {
+TEST(Remap, SaysBothSizesAndTheFix) {
   const TemporaryFolder folder;
   const std::string camera = folder.write("cam.yaml", kRadtan);
   const std::string half = folder.write("half.png", bytes_of(noise(376, 240, CV_8UC1), ".png"));

@@ -12,7 +12,7 @@
 namespace fca::test {
 namespace {
 
-/// The domain of the first camera, by convert.
+/// The field of view of the first camera, by convert.
 rapidjson::Document converted(const std::string& model, const std::vector<std::string>& more = {}) {
   std::vector<std::string> words = {"convert", kTumvi, "--to", "kalibr", "--model", model, "--json"};
   words.insert(words.end(), more.begin(), more.end());

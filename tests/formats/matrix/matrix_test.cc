@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every format into every other, by the program as users run it, judged by what shares nothing with it: the readers and
+// Every format into every other, by the program as users run it, checked by what shares nothing with it: the readers and
 // formulas of this folder, each written after the target's own program. For pixels over the whole image of the source: their
 // rays by the formula of the source's file, those rays' pixels by the formula of the written bytes; the difference must be
 // within the error that `convert --json` reports. A conversion that is exact must agree to 1e-6 px.
@@ -384,13 +384,13 @@ class Matrix {
       const FormatReader* target = find_reader(std::string(to.id));
       if (target == nullptr) continue;  // a failure of its own
       SCOPED_TRACE(source.format + " -> " + target->id);
-      judge(source, view, convert(source, target->id), to, *target, expected_poses(to));
+      evaluate(source, view, convert(source, target->id), to, *target, expected_poses(to));
     }
   }
 
   /// A conversion that is done: every camera, and the pose between the first two.
-  void judge(const Source& source, const SourceView& view, const Converted& converted, const Format& to,
-             const FormatReader& target, Poses poses = Poses::kKept) {
+  void evaluate(const Source& source, const SourceView& view, const Converted& converted, const Format& to,
+                const FormatReader& target, Poses poses = Poses::kKept) {
     Cell& cell = table_[{source.format, target.id}];
     const int failures_before = failures();
     check(source, view, converted, to, target, poses, cell);
@@ -523,8 +523,8 @@ TEST(Matrix, EveryStoredModel) {
       if (target == nullptr) continue;
       for (const StoredModel& stored : to.models) {
         SCOPED_TRACE(source.name() + " -> " + target->id + " " + std::string(stored.model));
-        matrix.judge(source, view, convert(source, target->id, {"--model", std::string(stored.model)}), to, *target,
-                     expected_poses(to));
+        matrix.evaluate(source, view, convert(source, target->id, {"--model", std::string(stored.model)}), to, *target,
+                        expected_poses(to));
       }
     }
   }
@@ -548,7 +548,7 @@ TEST(Matrix, EveryLayout) {
         const Converted converted = convert(source, target->id, options);
         if (converted.run.code != 0) continue;
         ++held;
-        matrix.judge(source, view_of(source), converted, to, *target, Poses::kKeptOrSaidLost);
+        matrix.evaluate(source, view_of(source), converted, to, *target, Poses::kKeptOrSaidLost);
       }
       EXPECT_GT(held, 0) << target->id << " " << layout;
     }
@@ -565,7 +565,7 @@ TEST(Matrix, EverySyntaxOfOpenCv) {
          {std::pair("out.xml", "<?xml"), std::pair("out.json", "{"), std::pair("out.yml", "%YAML")}) {
       SCOPED_TRACE(source.name() + " -> " + name);
       const Converted converted = convert(source, "opencv", {}, name);
-      matrix.judge(source, view_of(source), converted, *to, *find_reader("opencv"));
+      matrix.evaluate(source, view_of(source), converted, *to, *find_reader("opencv"));
       ASSERT_FALSE(converted.outputs.empty());
       EXPECT_EQ(converted.outputs.front().bytes.rfind(begins, 0), 0U);
     }

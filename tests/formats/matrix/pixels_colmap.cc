@@ -45,9 +45,9 @@ const std::map<std::string, Kind> kKinds = {{"SIMPLE_PINHOLE", {true, false, 0}}
 RayToPixel fov_lens(const std::vector<double>& k, double w) {
   return [k, w](const Ray& ray) -> std::optional<Pixel> {
     const double r = std::hypot(ray[0], ray[1]);
-    const double slope = 2.0 * std::tan(w / 2.0);
+    const double tangent = 2.0 * std::tan(w / 2.0);
     if (r == 0.0) return ray[2] > 0.0 ? std::optional(Pixel{k[2], k[3]}) : std::nullopt;
-    const double bent = std::atan2(slope * r, ray[2]) / w;
+    const double bent = std::atan2(tangent * r, ray[2]) / w;
     return Pixel{k[0] * bent * ray[0] / r + k[2], k[1] * bent * ray[1] / r + k[3]};
   };
 }

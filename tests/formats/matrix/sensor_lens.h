@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the judges of EuRoC's and Kimera's files share: lenses in OpenCV's formulas, those of equidistant ones past 90 deg, too.
+// What the readers of EuRoC's and Kimera's files share: lenses in OpenCV's formulas, those of equidistant ones past 90 deg,
+// too.
 #pragma once
 
 #include "geometry.h"

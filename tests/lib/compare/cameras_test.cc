@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two cameras: the judge is that of conversions, the best rotation is found, and image sizes are matched or refused.
+// Two cameras: the evaluation is that of conversions, the best rotation is found, and image sizes are matched or refused.
 #include "compare/best_rotation.h"
 #include "lib/convert/known_cameras.h"
 
@@ -22,7 +22,7 @@ CameraComparison compared(const Camera& reference, const Camera& other, const Co
   return result.value_or(CameraComparison());
 }
 
-void expect_same(const Judgement& a, const Judgement& b) {
+void expect_same(const ErrorStatistics& a, const ErrorStatistics& b) {
   EXPECT_EQ(a.coverage.max_angle_deg, b.coverage.max_angle_deg);
   EXPECT_EQ(a.coverage.why, b.coverage.why);
   EXPECT_EQ(a.coverage.scored, b.coverage.scored);
@@ -44,11 +44,11 @@ TEST(CompareCameras, ACameraIsExactlyItself) {
   for (const Camera& camera : {kalibr_ds(), kalibr_eucm(), kalibr_kb4(), kalibr_radtan(), euroc(), tumvi()}) {
     const CameraComparison result = compared(camera, camera);
     EXPECT_TRUE(result.identical);
-    EXPECT_EQ(result.difference.judgement.error.max, 0.0);
-    EXPECT_EQ(result.difference.judgement.error.rms, 0.0);
+    EXPECT_EQ(result.difference.statistics.error.max, 0.0);
+    EXPECT_EQ(result.difference.statistics.error.rms, 0.0);
     EXPECT_EQ(result.difference.angle.max_deg, 0.0);
-    EXPECT_GT(result.difference.judgement.coverage.scored, 0.9);
-    EXPECT_EQ(result.difference.same_to_deg, result.difference.judgement.coverage.max_angle_deg);
+    EXPECT_GT(result.difference.statistics.coverage.scored, 0.9);
+    EXPECT_EQ(result.difference.same_to_deg, result.difference.statistics.coverage.max_angle_deg);
   }
 }
 
@@ -67,7 +67,7 @@ TEST(CompareCameras, WithAConversionItIsTheConversionsReport) {
         compare_options.max_angle_rad = limit;
         const CameraComparison result = compared(camera, conversion->camera, compare_options);
         if (result.identical) continue;
-        expect_same(result.difference.judgement, conversion->report.judgement);
+        expect_same(result.difference.statistics, conversion->report.statistics);
         EXPECT_EQ(result.scored_to_deg, conversion->report.scored_to_deg);
       }
     }
@@ -75,7 +75,7 @@ TEST(CompareCameras, WithAConversionItIsTheConversionsReport) {
 }
 
 // Beyond the cone to which a model was fitted, convert does not score; whoever compares says where that ends.
-TEST(CompareCameras, OfAConeItIsTheConversionsReportUnderTheConesAngle) {
+TEST(CompareCameras, OfAReducedAngleItIsTheConversionsReportUnderThatAngle) {
   Diagnostics diagnostics;
   ConvertOptions options;
   options.model = "radtan";
@@ -84,17 +84,17 @@ TEST(CompareCameras, OfAConeItIsTheConversionsReportUnderTheConesAngle) {
   CompareOptions compare_options;
   compare_options.max_angle_rad = conversion->report.scored_to_deg * kRadians;
   const CameraComparison result = compared(tumvi(), conversion->camera, compare_options);
-  const ErrorSummary& error = result.difference.judgement.error;
-  EXPECT_NEAR(error.rms, conversion->report.judgement.error.rms, 0.01 * error.rms);
-  EXPECT_NEAR(error.max, conversion->report.judgement.error.max, 0.01 * error.max);
+  const ErrorSummary& error = result.difference.statistics.error;
+  EXPECT_NEAR(error.rms, conversion->report.statistics.error.rms, 0.01 * error.rms);
+  EXPECT_NEAR(error.max, conversion->report.statistics.error.max, 0.01 * error.max);
 }
 
 TEST(CompareCameras, BothDirectionsAgreeWhereTheCamerasAreNear) {
   const CameraComparison there = compared(kalibr_eucm(), kalibr_ds());
   const CameraComparison back = compared(kalibr_ds(), kalibr_eucm());
-  EXPECT_GT(there.difference.judgement.error.rms, 0.01);
-  EXPECT_NEAR(there.difference.judgement.error.rms, back.difference.judgement.error.rms,
-              0.03 * there.difference.judgement.error.rms);
+  EXPECT_GT(there.difference.statistics.error.rms, 0.01);
+  EXPECT_NEAR(there.difference.statistics.error.rms, back.difference.statistics.error.rms,
+              0.03 * there.difference.statistics.error.rms);
   EXPECT_NEAR(there.difference.angle.rms_deg, back.difference.angle.rms_deg, 0.03 * there.difference.angle.rms_deg);
   ASSERT_TRUE(there.rotated);
   ASSERT_TRUE(back.rotated);
@@ -112,7 +112,7 @@ TEST(CompareCameras, DegreesAreThoseBetweenTheRaysOfAPixel) {
   ASSERT_TRUE(a && b);
   const double cosine = (*a)[0] * (*b)[0] + (*a)[1] * (*b)[1] + (*a)[2] * (*b)[2];
   EXPECT_NEAR(result.difference.angle.max_deg, std::acos(cosine) / kRadians, 1e-6);
-  EXPECT_NEAR(result.difference.judgement.error.max, 2.0, 0.1);
+  EXPECT_NEAR(result.difference.statistics.error.max, 2.0, 0.1);
 }
 
 TEST(CompareCameras, TheBestRotationIsFound) {
@@ -136,9 +136,10 @@ TEST(CompareCameras, TheBestRotationIsFound) {
           return ray ? std::optional(rotated(back, *ray)) : std::nullopt;
         },
         {central_focal_lengths(camera.model), principal_point(camera.model)});
-    const std::optional<Domain> domain = domain_of(lens, *camera.image_size, std::nullopt, "lens", diagnostics);
-    ASSERT_TRUE(domain);
-    const std::optional<Transform> found = internal::best_rotation(lens, camera.model, *domain);
+    const std::optional<FieldOfView> field_of_view =
+        field_of_view_of(lens, *camera.image_size, std::nullopt, "lens", diagnostics);
+    ASSERT_TRUE(field_of_view);
+    const std::optional<Transform> found = internal::best_rotation(lens, camera.model, *field_of_view);
     ASSERT_TRUE(found);
     for (int i = 0; i < 16; ++i)
       EXPECT_NEAR(found->values[static_cast<std::size_t>(i)], R.values[static_cast<std::size_t>(i)], 1e-9) << degrees;
@@ -154,7 +155,7 @@ TEST(CompareCameras, ARotationNeverMakesItWorse) {
                                          std::pair(euroc(), kalibr_radtan()), std::pair(kalibr_radtan(), euroc())}) {
     const CameraComparison result = compared(reference, other);
     ASSERT_TRUE(result.rotated);
-    EXPECT_LE(result.rotated->difference.judgement.error.rms, 1.001 * result.difference.judgement.error.rms);
+    EXPECT_LE(result.rotated->difference.statistics.error.rms, 1.001 * result.difference.statistics.error.rms);
   }
 }
 
@@ -166,7 +167,7 @@ TEST(CompareCameras, AShiftedCentreIsARotation) {
   ASSERT_TRUE(result.rotated);
   EXPECT_NEAR(result.rotated->angle_rad, 1.0 / 190.97, 2e-4);
   EXPECT_GT(result.rotated->vector_rad[1], 0.0) << "the same pixel looks further to the right";
-  EXPECT_LT(result.rotated->difference.judgement.error.rms, 0.1 * result.difference.judgement.error.rms);
+  EXPECT_LT(result.rotated->difference.statistics.error.rms, 0.1 * result.difference.statistics.error.rms);
 }
 
 /// The lens that sees points at `distance_m` where `camera` sees them, which is turned and moved against it by T: for each ray
@@ -197,13 +198,14 @@ TEST(CompareCameras, AShiftOfTheProjectionCentreIsFound) {
         T.values = {std::cos(turn),  0, std::sin(turn), 0.004, 0, 1, 0, -0.007,
                     -std::sin(turn), 0, std::cos(turn), 0.011, 0, 0, 0, 1};
         const Lens lens = lens_beside(camera, T, distance_m);
-        const std::optional<Domain> domain = domain_of(lens, *camera.image_size, 60.0 * kRadians, "lens", diagnostics);
-        ASSERT_TRUE(domain);
-        const std::optional<Transform> found = internal::best_rotation(lens, camera.model, *domain, distance_m);
+        const std::optional<FieldOfView> field_of_view =
+            field_of_view_of(lens, *camera.image_size, 60.0 * kRadians, "lens", diagnostics);
+        ASSERT_TRUE(field_of_view);
+        const std::optional<Transform> found = internal::best_rotation(lens, camera.model, *field_of_view, distance_m);
         ASSERT_TRUE(found);
         for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(found->values[i], T.values[i], 1e-6) << distance_m << " " << i;
         // Without a distance, it is all a turn.
-        const std::optional<Transform> rotation = internal::best_rotation(lens, camera.model, *domain);
+        const std::optional<Transform> rotation = internal::best_rotation(lens, camera.model, *field_of_view);
         ASSERT_TRUE(rotation);
         for (const int row : {0, 1, 2}) EXPECT_EQ((*rotation)(row, 3), 0.0);
       }
@@ -239,10 +241,10 @@ TEST(CompareCameras, ARotationAndTranslationAreTheBest) {
     ASSERT_TRUE(turned.rotated && moved.rotated);
     EXPECT_EQ(turned.rotated->centre_m, (std::array<double, 3>{}));
     EXPECT_EQ(moved.rotated->distance_m, kDistance);
-    EXPECT_LE(moved.rotated->difference.judgement.error.rms, 1.001 * turned.rotated->difference.judgement.error.rms);
+    EXPECT_LE(moved.rotated->difference.statistics.error.rms, 1.001 * turned.rotated->difference.statistics.error.rms);
     const Transform& T = moved.rotated->T_other_reference;
     const double best = rms_on_grid(reference, other, kLimit, T, kDistance);
-    EXPECT_NEAR(moved.rotated->difference.judgement.error.rms, best, 0.01 * best);
+    EXPECT_NEAR(moved.rotated->difference.statistics.error.rms, best, 0.01 * best);
     for (const int row : {0, 1, 2}) {
       for (const double step_m : {-2e-3, 2e-3}) {
         Transform beside = T;
@@ -268,15 +270,15 @@ TEST(CompareCameras, InFocusAreTheRegionsRaysOnly) {
       const CameraComparison focused = compared(reference, other, {.focus_rad = limit});
       ASSERT_TRUE(focused.focus && focused.rotated && focused.focus->rotated && region.rotated);
       EXPECT_NEAR(focused.focus->max_angle_deg, degrees, 1e-9);
-      expect_same(focused.focus->difference.judgement, region.difference.judgement);
-      expect_same(focused.focus->rotated->judgement, region.rotated->difference.judgement);
+      expect_same(focused.focus->difference.statistics, region.difference.statistics);
+      expect_same(focused.focus->rotated->statistics, region.rotated->difference.statistics);
       EXPECT_EQ(focused.rotated->T_other_reference, region.rotated->T_other_reference);
-      expect_same(focused.difference.judgement, whole.difference.judgement);
+      expect_same(focused.difference.statistics, whole.difference.statistics);
       EXPECT_EQ(&focused.decisive(), &focused.focus->difference);
       const double rms = rms_on_grid(reference, other, limit, Transform(), 1.0);
-      EXPECT_NEAR(focused.focus->difference.judgement.error.rms, rms, 0.02 * rms);
+      EXPECT_NEAR(focused.focus->difference.statistics.error.rms, rms, 0.02 * rms);
       const double turned = rms_on_grid(reference, other, limit, focused.rotated->T_other_reference, 1.0);
-      EXPECT_NEAR(focused.focus->rotated->judgement.error.rms, turned, 0.02 * turned);
+      EXPECT_NEAR(focused.focus->rotated->statistics.error.rms, turned, 0.02 * turned);
       EXPECT_GE(rms_on_grid(reference, other, limit, whole.rotated->T_other_reference, 1.0), 0.999 * turned);
     }
   }
@@ -288,7 +290,7 @@ TEST(CompareCameras, FocusEndsWithTheLens) {
       compared(kalibr_ds(), kalibr_eucm(), {.max_angle_rad = 20.0 * kRadians, .focus_rad = 50.0 * kRadians});
   ASSERT_TRUE(result.focus);
   EXPECT_NEAR(result.focus->max_angle_deg, 20.0, 1e-9);
-  expect_same(result.focus->difference.judgement, result.difference.judgement);
+  expect_same(result.focus->difference.statistics, result.difference.statistics);
 }
 
 TEST(CompareCameras, TheAngleToWhichTheyAreTheSame) {
@@ -308,10 +310,10 @@ TEST(CompareCameras, ImagesOfAnotherSizeAreScaled) {
   const CameraComparison result = compared(camera, *large);
   EXPECT_FALSE(result.identical);
   EXPECT_EQ(result.other_size, (ImageSize{1024, 1024}));
-  EXPECT_LT(result.difference.judgement.error.max, 1e-9);
+  EXPECT_LT(result.difference.statistics.error.max, 1e-9);
   const CameraComparison back = compared(*large, camera);
   EXPECT_EQ(back.size, (ImageSize{1024, 1024}));
-  EXPECT_LT(back.difference.judgement.error.max, 1e-9);
+  EXPECT_LT(back.difference.statistics.error.max, 1e-9);
 }
 
 TEST(CompareCameras, OtherProportionsAreRefusedAndASizeIsEnoughOnce) {
@@ -334,7 +336,7 @@ TEST(CompareCameras, WithoutAnySizeOneIsAssumed) {
     camera.image_size.reset();
     const CameraComparison same = compared(camera, camera);
     EXPECT_TRUE(same.identical && same.size_assumed);
-    EXPECT_EQ(same.difference.judgement.error.max, 0.0);
+    EXPECT_EQ(same.difference.statistics.error.max, 0.0);
     EXPECT_NEAR(same.size.width, size.width, 0.1 * size.width);
     EXPECT_NEAR(same.size.height, size.height, 0.1 * size.height);
     Camera moved = camera;
@@ -342,7 +344,7 @@ TEST(CompareCameras, WithoutAnySizeOneIsAssumed) {
     const CameraComparison result = compared(camera, moved);
     EXPECT_FALSE(result.identical);
     EXPECT_EQ(result.size, same.size);
-    EXPECT_NEAR(result.difference.judgement.error.max, 2.0, 1e-9);
+    EXPECT_NEAR(result.difference.statistics.error.max, 2.0, 1e-9);
   }
 }
 
@@ -353,7 +355,7 @@ TEST(CompareCameras, ALensThatSeesNothingIsTheSameAsItself) {
   const std::optional<CameraComparison> same = compare(blind, blind, {}, diagnostics);
   ASSERT_TRUE(same);
   EXPECT_TRUE(same->identical);
-  EXPECT_EQ(same->difference.judgement.error.max, 0.0);
+  EXPECT_EQ(same->difference.statistics.error.max, 0.0);
   ASSERT_EQ(diagnostics.entries().size(), 1U);
   EXPECT_EQ(id_of(diagnostics.entries().front()), "no-pixel-has-a-ray");
   EXPECT_FALSE(diagnostics.has_errors());

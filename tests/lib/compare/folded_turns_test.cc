@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A turn of a lens and an equal turn of its poses cancel. Judged by the rotation between the rays of a grid of pixels (Kabsch),
-// which is computed here.
+// A turn of a lens and an equal turn of its poses cancel. Evaluated by the rotation between the rays of a grid of pixels
+// (Kabsch), which is computed here.
 #include "lib/convert/known_cameras.h"
 
 #include <fca/compare/compare.h>
@@ -69,7 +69,7 @@ Turned turned(const Camera& camera, const char* model) {
   const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
   EXPECT_TRUE(conversion && conversion->report.turn);
   if (!conversion || !conversion->report.turn) return {camera, {}};
-  return {conversion->camera, conversion->report.turn->T_target_source, conversion->report.judgement.error.rms};
+  return {conversion->camera, conversion->report.turn->T_target_source, conversion->report.statistics.error.rms};
 }
 
 const Transform kCam0Imu = pose_of_vector({0.3, -1.2, 0.5}, {0.02, 0.3, -0.05});
@@ -102,8 +102,8 @@ TEST(FoldedTurns, OfAnAbsorbedTurnOnlyTheFitsErrorRemains) {
     const PoseComparison& pose = result.poses.front();
     ASSERT_TRUE(lens.turn_cancels);
     ASSERT_TRUE(pose.remaining);
-    EXPECT_NEAR(lens.decisive().judgement.error.rms, other.rms_px, 0.01 * other.rms_px);
-    EXPECT_GT(lens.difference.judgement.error.rms, 2.0 * other.rms_px) << "the test's turn is too small to tell";
+    EXPECT_NEAR(lens.decisive().statistics.error.rms, other.rms_px, 0.01 * other.rms_px);
+    EXPECT_GT(lens.difference.statistics.error.rms, 2.0 * other.rms_px) << "the test's turn is too small to tell";
     // What the poses say as they are, and what of that is left, by a rotation that was found otherwise.
     const double turn = angle_between(other.T_new_old, Transform());
     EXPECT_NEAR(pose.angle_rad, turn, 1e-9);

@@ -6,7 +6,7 @@
 #include "random_model.h"
 
 #include <fca/convert/convert.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -69,17 +69,17 @@ struct Pixels {
   int left_to_the_model = 0;
 };
 
-Pixels compare_pixels(const CameraModel& model, double reach) {
+Pixels compare_pixels(const CameraModel& model, double max_angle_rad) {
   Batch batch;
   for (std::size_t i = 0; i < Batch::kSize; ++i) {
-    const double angle = reach * static_cast<double>(i) / Batch::kSize;
+    const double angle = max_angle_rad * static_cast<double>(i) / Batch::kSize;
     const double azimuth = 0.7 * static_cast<double>(i);
     batch.x[i] = std::sin(angle) * std::cos(azimuth);
     batch.y[i] = std::sin(angle) * std::sin(azimuth);
     batch.z[i] = std::cos(angle);
     batch.u[i] = batch.v[i] = 0.0;  // so that the error is the length of the pixel
   }
-  internal::BatchErrors(model, reach)(batch, Batch::kSize);
+  internal::BatchErrors(model, max_angle_rad)(batch, Batch::kSize);
   Pixels result;
   for (std::size_t i = 0; i < Batch::kSize; ++i) {
     if (!std::isfinite(batch.error[i])) {
@@ -128,13 +128,13 @@ TEST(Batch, FindsNearlyEveryRayAndPixelOfKnownLenses) {
     std::optional<double> limit;
     if (lens.max_angle_deg) limit = *lens.max_angle_deg * test::kRadians;
     Diagnostics diagnostics;
-    const std::optional<Domain> domain = domain_of(lens.camera, limit, diagnostics);
-    ASSERT_TRUE(domain);
-    const Rays rays = compare_rays(model, *lens.camera.image_size, domain->max_angle_rad);
+    const std::optional<FieldOfView> field_of_view = field_of_view_of(lens.camera, limit, diagnostics);
+    ASSERT_TRUE(field_of_view);
+    const Rays rays = compare_rays(model, *lens.camera.image_size, field_of_view->max_angle_rad);
     EXPECT_TRUE(rays.right);
     EXPECT_GT(rays.there, 0);
     EXPECT_LE(rays.left_to_the_model, rays.there / 50);
-    const Pixels pixels = compare_pixels(model, std::min(domain->max_angle_rad, 0.99 * max_angle(model)));
+    const Pixels pixels = compare_pixels(model, std::min(field_of_view->max_angle_rad, 0.99 * max_angle(model)));
     EXPECT_TRUE(pixels.right);
     EXPECT_LE(pixels.left_to_the_model, static_cast<int>(Batch::kSize) / 50);
   }
@@ -155,15 +155,15 @@ RC_GTEST_PROP(BatchProperty, AScorerDecidesAsTheModelsDo, ()) {
   std::optional<double> limit;
   if (*rc::gen::arbitrary<bool>()) limit = *rc::gen::inRange(20, 120) * test::kRadians;
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, limit, diagnostics);
-  RC_PRE(domain.has_value());
-  const internal::Scorer scorer(camera.model, &target, nullptr, *domain, 4.0);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, limit, diagnostics);
+  RC_PRE(field_of_view.has_value());
+  const internal::Scorer scorer(camera.model, &target, nullptr, *field_of_view, 4.0);
   Batch batch;
   fill_pixels(camera.model, {640, 480}, batch);
   scorer.score(batch, Batch::kSize);
   for (std::size_t i = 0; i < Batch::kSize; ++i) {
     const Pixel pixel = {batch.u[i], batch.v[i]};
-    const std::optional<Ray> ray = domain->ray(camera.model, pixel);
+    const std::optional<Ray> ray = field_of_view->ray(camera.model, pixel);
     const std::optional<Pixel> image = ray ? project(target, *ray) : std::nullopt;
     RC_ASSERT((batch.verdict[i] == internal::Verdict::kOutsideLens) == !ray);
     RC_ASSERT((batch.verdict[i] == internal::Verdict::kScored) == image.has_value());

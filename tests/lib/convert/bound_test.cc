@@ -5,7 +5,7 @@
 #include "random_model.h"
 
 #include <fca/convert/convert.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -18,11 +18,11 @@ namespace {
 /// Largest error on a lattice of the whole image with that spacing, then on one of a quarter pixel around its worst points.
 class DenseSearch {
  public:
-  DenseSearch(const CameraModel& source, const CameraModel& target, const Domain& domain)
-      : source_(source), target_(target), domain_(domain) {}
+  DenseSearch(const CameraModel& source, const CameraModel& target, const FieldOfView& field_of_view)
+      : source_(source), target_(target), field_of_view_(field_of_view) {}
 
   [[nodiscard]] double largest(double spacing) const {
-    const Pixel last = {domain_.size.width - 1.0, domain_.size.height - 1.0};
+    const Pixel last = {field_of_view_.size.width - 1.0, field_of_view_.size.height - 1.0};
     std::vector<std::pair<double, Pixel>> worst;
     visit({0.0, 0.0}, last, spacing, [&](double error, const Pixel& pixel) {
       if (worst.size() >= kWorst && error <= worst.back().first) return;
@@ -47,8 +47,9 @@ class DenseSearch {
     // One step too far: clamped to the far border, which belongs to the image whatever the spacing.
     for (double y = from[1]; y < to[1] + spacing; y += spacing) {
       for (double x = from[0]; x < to[0] + spacing; x += spacing) {
-        const Pixel pixel = {std::clamp(x, 0.0, domain_.size.width - 1.0), std::clamp(y, 0.0, domain_.size.height - 1.0)};
-        const std::optional<Ray> ray = domain_.ray(source_, pixel);
+        const Pixel pixel = {std::clamp(x, 0.0, field_of_view_.size.width - 1.0),
+                             std::clamp(y, 0.0, field_of_view_.size.height - 1.0)};
+        const std::optional<Ray> ray = field_of_view_.ray(source_, pixel);
         if (!ray) continue;
         const std::optional<Pixel> image = project(target_, *ray);
         if (image) f(std::hypot((*image)[0] - pixel[0], (*image)[1] - pixel[1]), pixel);
@@ -58,7 +59,7 @@ class DenseSearch {
 
   const CameraModel& source_;
   const CameraModel& target_;
-  const Domain& domain_;
+  const FieldOfView& field_of_view_;
 };
 
 struct TableCamera {
@@ -82,8 +83,8 @@ std::vector<TableCamera> table() {
           {"tumvi_97", tumvi(), 97.5},
           {"tumvi_80", tumvi(), 80.0},
           {"tumvi_ds_97", tumvi_ds(), 97.5},
-          {"tumvi_lit", lit_in(tumvi(), {230.0, 275.0}, 215.0), {}},
-          {"kalibr_ds_lit", lit_in(kalibr_ds(), {420.0, 200.0}, 300.0), {}},
+          {"tumvi_lit", with_image_circle(tumvi(), {230.0, 275.0}, 215.0), {}},
+          {"kalibr_ds_lit", with_image_circle(kalibr_ds(), {420.0, 200.0}, 300.0), {}},
           {"t265_83", t265_like(), 83.0},
           {"t265_60", t265_like(), 60.0},
           {"woodscape_95", woodscape_front(), 95.0},
@@ -108,9 +109,9 @@ TEST_P(BoundTest, IsNeverBelowTheMaximumAndCloseToIt) {
     if (c.max_angle_deg) options.max_angle_rad = *c.max_angle_deg * test::kRadians;
     Diagnostics diagnostics;
     const std::optional<Conversion> conversion = convert(c.camera, options, diagnostics);
-    const std::optional<Domain> domain = domain_of(c.camera, options.max_angle_rad, diagnostics);
-    ASSERT_TRUE(conversion && domain);
-    const ErrorSummary& error = conversion->report.judgement.error;
+    const std::optional<FieldOfView> field_of_view = field_of_view_of(c.camera, options.max_angle_rad, diagnostics);
+    ASSERT_TRUE(conversion && field_of_view);
+    const ErrorSummary& error = conversion->report.statistics.error;
     EXPECT_GE(error.bound, error.max);
     // A perspective target of a lens that passes 90 degrees has errors without limit.
     constexpr double kUnlimited = 1e5;  // px
@@ -120,8 +121,8 @@ TEST_P(BoundTest, IsNeverBelowTheMaximumAndCloseToIt) {
 
     // Without what convert() knows of the maximum: the bound proper.
     const CameraModel& model = conversion->camera.model;
-    const internal::ErrorBound bare = internal::bound_error(c.camera.model, model, *domain, 4.0, 0.0);
-    const double largest = DenseSearch(c.camera.model, model, *domain).largest(2.0);
+    const internal::ErrorBound bare = internal::bound_error(c.camera.model, model, *field_of_view, 4.0, 0.0);
+    const double largest = DenseSearch(c.camera.model, model, *field_of_view).largest(2.0);
     EXPECT_GE(bare.bound, largest);
     EXPECT_LE(bare.seen, bare.bound);
   }
@@ -134,22 +135,22 @@ TEST(Bound, IsInfiniteWhereTheErrorIs) {
   // A pinhole's radius has no limit near 90 degrees, where this lens goes on.
   const Camera camera = test::tumvi();
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  ASSERT_TRUE(domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  ASSERT_TRUE(field_of_view);
   const CameraModel pinhole = Intrinsics<Pinhole>{{190, 190, 255, 256}};
-  EXPECT_TRUE(std::isinf(judge(camera.model, pinhole, *domain).error.bound));
+  EXPECT_TRUE(std::isinf(evaluate(camera.model, pinhole, *field_of_view).error.bound));
 }
 
 TEST(Bound, IsLooseAndTrueWhenTheBudgetEnds) {
   const Camera camera = test::kalibr_ds();
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  ASSERT_TRUE(domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  ASSERT_TRUE(field_of_view);
   const CameraModel shifted = Intrinsics<Ds>{{340, 350, 366, 250, 0.55, -0.25}};
-  const double largest = DenseSearch(camera.model, shifted, *domain).largest(2.0);
+  const double largest = DenseSearch(camera.model, shifted, *field_of_view).largest(2.0);
   double before = std::numeric_limits<double>::infinity();
   for (const int budget : {1, 100, 500, 700, 1000, 20'000}) {
-    const double bound = internal::bound_error(camera.model, shifted, *domain, 4.0, 0.0, budget).bound;
+    const double bound = internal::bound_error(camera.model, shifted, *field_of_view, 4.0, 0.0, budget).bound;
     EXPECT_GE(bound, largest) << budget;
     EXPECT_LE(bound, before) << budget;
     before = bound;
@@ -160,10 +161,10 @@ TEST(Bound, IsLooseAndTrueWhenTheBudgetEnds) {
 TEST(Bound, OfAProgramIsNotProven) {
   const Camera camera = test::kalibr_ds();
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  ASSERT_TRUE(domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  ASSERT_TRUE(field_of_view);
   const Projection program = [&](const Ray& ray) { return project(camera.model, ray); };
-  EXPECT_TRUE(std::isinf(judge(camera.model, program, *domain).error.bound));
+  EXPECT_TRUE(std::isinf(evaluate(camera.model, program, *field_of_view).error.bound));
 }
 
 RC_GTEST_PROP(BoundProperty, IsNeverBelowAnErrorThatOccurs, ()) {
@@ -174,10 +175,10 @@ RC_GTEST_PROP(BoundProperty, IsNeverBelowAnErrorThatOccurs, ()) {
   std::optional<double> limit;
   if (*rc::gen::arbitrary<bool>()) limit = *rc::gen::inRange(20, 120) * test::kRadians;
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, limit, diagnostics);
-  RC_PRE(domain.has_value());
-  const double bound = internal::bound_error(camera.model, target, *domain, 4.0, 0.0).bound;
-  const double largest = DenseSearch(camera.model, target, *domain).largest(8.0);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, limit, diagnostics);
+  RC_PRE(field_of_view.has_value());
+  const double bound = internal::bound_error(camera.model, target, *field_of_view, 4.0, 0.0).bound;
+  const double largest = DenseSearch(camera.model, target, *field_of_view).largest(8.0);
   RC_ASSERT(bound >= largest);
   RC_CLASSIFY(bound <= 1.1 * largest + 1e-9, "close");
   RC_CLASSIFY(std::isinf(bound), "infinite");
@@ -190,13 +191,13 @@ RC_GTEST_PROP(BoundProperty, IsNeverBelowTheErrorOfAFit, ()) {
   options.model = all_models()[*rc::gen::inRange<std::size_t>(0, all_models().size())].id;
   options.bound = false;
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  RC_PRE(domain.has_value());
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  RC_PRE(field_of_view.has_value());
   const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
   RC_PRE(conversion.has_value());
   const CameraModel& target = conversion->camera.model;
-  const internal::ErrorBound bound = internal::bound_error(camera.model, target, *domain, 4.0, 0.0);
-  const double largest = DenseSearch(camera.model, target, *domain).largest(8.0);
+  const internal::ErrorBound bound = internal::bound_error(camera.model, target, *field_of_view, 4.0, 0.0);
+  const double largest = DenseSearch(camera.model, target, *field_of_view).largest(8.0);
   RC_ASSERT(bound.bound >= largest);
   RC_ASSERT(bound.seen <= bound.bound);
   RC_CLASSIFY(bound.bound <= 1.1 * largest + 1e-9, "close");

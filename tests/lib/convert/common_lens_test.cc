@@ -3,7 +3,7 @@
 #include "known_cameras.h"
 
 #include <fca/convert/common_lens.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 
 #include <gtest/gtest.h>
 
@@ -27,8 +27,8 @@ double mean_square(const std::vector<Camera>& sources, const std::vector<CameraM
   double sum = 0.0;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     Diagnostics diagnostics;
-    const Domain domain = domain_of(sources[i], 95.0 * test::kRadians, diagnostics).value();
-    const double rms = judge(sources[i].model, models[i], domain, {.every_pixel = true, .bound = false}).error.rms;
+    const FieldOfView field_of_view = field_of_view_of(sources[i], 95.0 * test::kRadians, diagnostics).value();
+    const double rms = evaluate(sources[i].model, models[i], field_of_view, {.every_pixel = true, .bound = false}).error.rms;
     sum += rms * rms;
   }
   return sum;

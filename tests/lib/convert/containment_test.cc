@@ -91,8 +91,8 @@ bool expect_no_worse(const Conversions& conversions, const Pair& pair) {
   const std::optional<Conversion>& outer = conversions.at(pair.outer);
   EXPECT_TRUE(outer) << pair.outer << " has no fit, " << pair.inner << " has";
   if (!outer) return false;
-  const Judgement& ours = outer->report.judgement;
-  const Judgement& theirs = inner->report.judgement;
+  const ErrorStatistics& ours = outer->report.statistics;
+  const ErrorStatistics& theirs = inner->report.statistics;
   // The corners of an image may lie beyond the last sample.
   constexpr double kCorners = 1e-3;
   const bool narrower_but_good = ours.error.rms <= 1.1 && theirs.error.rms > 1.0;
@@ -100,7 +100,7 @@ bool expect_no_worse(const Conversions& conversions, const Pair& pair) {
       << pair.outer << " reaches " << ours.coverage.scored << " with " << ours.error.rms << " px, " << pair.inner << " "
       << theirs.coverage.scored << " with " << theirs.error.rms << " px";
   if (ours.coverage.scored > theirs.coverage.scored + kCorners) return true;
-  // The fit minimises over its samples; judged on other points, equals differ by a few thousandths. Below a thousandth of a
+  // The fit minimises over its samples; evaluated on other points, equals differ by a few thousandths. Below a thousandth of a
   // pixel the contained model is not asked.
   EXPECT_LE(ours.error.rms, 1.005 * theirs.error.rms + 1e-3) << pair.outer << " is worse than " << pair.inner;
   return true;

@@ -3,8 +3,8 @@
 
 #include <fca/code.h>
 #include <fca/convert/convert.h>
-#include <fca/convert/domain.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
+#include <fca/convert/field_of_view.h>
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST(Convert, TheSameModelIsACopy) {
   ASSERT_TRUE(conversion);
   EXPECT_TRUE(conversion->report.exact);
   EXPECT_EQ(conversion->camera, test::tumvi());
-  EXPECT_LE(conversion->report.judgement.error.max, 1e-9);
+  EXPECT_LE(conversion->report.statistics.error.max, 1e-9);
 }
 
 TEST(Convert, ContainedModelsAreExact) {
@@ -88,8 +88,8 @@ TEST(Convert, ContainedModelsAreExact) {
     const std::optional<Conversion> conversion = to(test::make_camera(pair.source, {640, 480}), pair.target);
     ASSERT_TRUE(conversion) << pair.target;
     EXPECT_TRUE(conversion->report.exact) << pair.target;
-    EXPECT_LE(conversion->report.judgement.error.max, 1e-9) << pair.target;
-    EXPECT_NEAR(conversion->report.judgement.coverage.scored, 1.0, 1e-12) << pair.target;
+    EXPECT_LE(conversion->report.statistics.error.max, 1e-9) << pair.target;
+    EXPECT_NEAR(conversion->report.statistics.coverage.scored, 1.0, 1e-12) << pair.target;
   }
 }
 
@@ -103,8 +103,8 @@ TEST(Convert, MeiComesAsCloseToAParabolaMirrorAsProgramsCan) {
     const std::optional<Conversion> conversion = to(test::make_camera(source, {752, 480}), "mei", diagnostics);
     ASSERT_TRUE(conversion);
     EXPECT_TRUE(diagnostics.entries().empty());
-    EXPECT_LE(conversion->report.judgement.error.max, 5e-6);
-    EXPECT_EQ(conversion->report.judgement.coverage.unrepresentable, 0.0);
+    EXPECT_LE(conversion->report.statistics.error.max, 5e-6);
+    EXPECT_EQ(conversion->report.statistics.coverage.unrepresentable, 0.0);
     const CameraModel& model = conversion->camera.model;
     EXPECT_LE(std::get<Intrinsics<Mei>>(model).values[4], 1e8);
     EXPECT_EQ(conversion->report.at_bound, std::vector<std::string>{"xi"});
@@ -124,7 +124,7 @@ TEST(Convert, RaysBehindTheCameraAreFittedAndScored) {
   Diagnostics diagnostics;
   const std::optional<Conversion> conversion = to(test::lens_220(), "ds", diagnostics, 110.0);
   ASSERT_TRUE(conversion);
-  const std::vector<ErrorBand>& bands = conversion->report.judgement.bands;
+  const std::vector<ErrorBand>& bands = conversion->report.statistics.bands;
   ASSERT_EQ(bands.size(), 11u);
   EXPECT_GT(bands[9].share, 0.1);
   EXPECT_GT(bands[10].share, 0.1);
@@ -136,7 +136,7 @@ TEST(Convert, SharesAddUpToTheImage) {
     Diagnostics diagnostics;
     const std::optional<Conversion> conversion = to(test::tumvi(), target, diagnostics, 97.5);
     ASSERT_TRUE(conversion);
-    const Judgement& j = conversion->report.judgement;
+    const ErrorStatistics& j = conversion->report.statistics;
     EXPECT_NEAR(j.coverage.scored + j.coverage.outside_lens + j.coverage.unrepresentable, 1.0, 1e-12) << target;
     double bands = 0.0;
     for (const ErrorBand& band : j.bands) bands += band.share;
@@ -158,60 +158,60 @@ TEST(Convert, RadtanIsHeldFromFoldingNoMoreThanItMust) {
     const std::optional<Conversion> conversion = to(c.camera, "radtan", diagnostics, c.max_angle_deg);
     ASSERT_TRUE(conversion);
     EXPECT_TRUE(diagnostics.entries().empty());
-    EXPECT_EQ(conversion->report.judgement.coverage.unrepresentable, 0.0);
-    EXPECT_LE(conversion->report.judgement.error.rms, 1.04 * c.rms_px);
+    EXPECT_EQ(conversion->report.statistics.coverage.unrepresentable, 0.0);
+    EXPECT_LE(conversion->report.statistics.error.rms, 1.04 * c.rms_px);
   }
 }
 
 // Whatever the angle, up to the whole degree at which the rms passes 1 px.
-TEST(Convert, RadtansConeIsTheLargest) {
+TEST(Convert, RadtansAngleIsTheLargest) {
   const Camera camera = test::make_camera(Intrinsics<Kb4>{{250.0, 250.0, 376.0, 240.0, 0.0, 0.0, 0.0, 0.0}}, {752, 480});
   for (const double degrees : {64.0, 64.25, 64.5, 64.75, 65.0, 65.25, 66.0}) {
     Diagnostics diagnostics;
     const std::optional<Conversion> conversion = to(camera, "radtan", diagnostics, degrees);
     ASSERT_TRUE(conversion);
-    EXPECT_FALSE(conversion->report.fitted_to_cone) << degrees;
-    EXPECT_EQ(conversion->report.judgement.coverage.unrepresentable, 0.0) << degrees;
-    EXPECT_LE(conversion->report.judgement.error.rms, 1.0) << degrees;
+    EXPECT_FALSE(conversion->report.angle_reduced) << degrees;
+    EXPECT_EQ(conversion->report.statistics.coverage.unrepresentable, 0.0) << degrees;
+    EXPECT_LE(conversion->report.statistics.error.rms, 1.0) << degrees;
   }
   const std::optional<Conversion> whole = to(camera, "radtan");
   ASSERT_TRUE(whole);
   EXPECT_NEAR(whole->report.scored_to_deg, 66.0, 1e-9);
 }
 
-// ds has two bottoms for a lens that sees nearly all around, .1 px deep both: what is best inside an angle is not worse there
+// ds has two minima for a lens that sees nearly all around, .1 px deep both: what is best inside an angle is not worse there
 // than what is best inside a wider one.
-TEST(Convert, ANarrowerDomainIsFittedNoWorseThanAWiderOne) {
+TEST(Convert, ANarrowerFieldOfViewIsFittedNoWorseThanAWiderOne) {
   const Camera camera = test::make_camera(Intrinsics<Kb4>{{120.0, 120.0, 376.0, 376.0, 0.0, 0.0, 0.0, 0.0}}, {752, 752});
   for (const double degrees : {148.0, 150.0, 151.0, 152.0, 155.0, 160.0}) {
     Diagnostics diagnostics;
     const std::optional<Conversion> narrow = to(camera, "ds", diagnostics, degrees);
     const std::optional<Conversion> wide = to(camera, "ds", diagnostics, degrees + 1.0);
-    const std::optional<Domain> domain = domain_of(camera, degrees * test::kRadians, diagnostics);
-    ASSERT_TRUE(narrow && wide && domain);
-    const double rms = judge(camera.model, wide->camera.model, *domain).error.rms;
-    EXPECT_LE(narrow->report.judgement.error.rms, 1.005 * rms) << degrees;
+    const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, degrees * test::kRadians, diagnostics);
+    ASSERT_TRUE(narrow && wide && field_of_view);
+    const double rms = evaluate(camera.model, wide->camera.model, *field_of_view).error.rms;
+    EXPECT_LE(narrow->report.statistics.error.rms, 1.005 * rms) << degrees;
   }
 }
 
-TEST(Convert, ATargetThatCannotReachTheLensIsFittedToACone) {
+TEST(Convert, ATargetThatCannotReachTheLensIsFittedUpToASmallerAngle) {
   Diagnostics diagnostics;
   const std::optional<Conversion> conversion = to(test::tumvi(), "radtan", diagnostics, 97.5);
   ASSERT_TRUE(conversion);
   ASSERT_EQ(diagnostics.entries().size(), 1u);
   EXPECT_EQ(id_of(diagnostics.entries()[0]), "target-cannot-reach");
   EXPECT_EQ(diagnostics.entries()[0].severity, Severity::kWarning);
-  EXPECT_LE(conversion->report.judgement.error.rms, 1.0);
-  EXPECT_GT(conversion->report.judgement.coverage.unrepresentable, 0.3);
+  EXPECT_LE(conversion->report.statistics.error.rms, 1.0);
+  EXPECT_GT(conversion->report.statistics.coverage.unrepresentable, 0.3);
   EXPECT_GE(max_angle(conversion->camera.model), 60.0 * test::kRadians);
 }
 
-TEST(Convert, WithoutConesATargetReachesAllOrNothing) {
-  const auto converted = [](const std::string& model, double degrees, bool cone) {
+TEST(Convert, WithoutReducedAnglesATargetReachesAllOrNothing) {
+  const auto converted = [](const std::string& model, double degrees, bool reduce_angle) {
     ConvertOptions options;
     options.model = model;
     options.max_angle_rad = degrees * test::kRadians;
-    options.cone = cone;
+    options.reduce_angle = reduce_angle;
     Diagnostics diagnostics;
     return convert(test::tumvi(), options, diagnostics);
   };
@@ -226,7 +226,7 @@ TEST(Convert, WithoutConesATargetReachesAllOrNothing) {
   }
 }
 
-TEST(Convert, APlaneGetsAConeWhereverTheLensEndsBeyond) {
+TEST(Convert, APlaneGetsASmallerAngleWhereverTheLensEndsBeyond) {
   // Close to 90 degrees a plane is so large that a camera may be near all samples and a thousand pixels off between the last
   // one and the edge; and a pinhole reaches all, but describes nothing.
   struct Target {
@@ -240,7 +240,7 @@ TEST(Convert, APlaneGetsAConeWhereverTheLensEndsBeyond) {
         const std::optional<Conversion> conversion = to(camera, model, diagnostics, deg);
         ASSERT_TRUE(conversion) << model << " " << deg;
         const ConversionReport& report = conversion->report;
-        EXPECT_LE(report.judgement.error.rms, 1.0) << model << " " << deg;
+        EXPECT_LE(report.statistics.error.rms, 1.0) << model << " " << deg;
         EXPECT_GE(report.scored_to_deg, reaches_deg - 1e-9) << model << " " << deg;
         EXPECT_GE(max_angle(conversion->camera.model), report.scored_to_deg * test::kRadians * (1.0 - 1e-9));
       }
@@ -260,14 +260,14 @@ TEST(Convert, ALensThatFoldsInsideTheImageIsSaid) {
 }
 
 // Whatever angle is asked for: the same cone is the same fit, and no wider one that is asked for outright would be as good.
-TEST(Convert, AConeIsTheBestAndTheLargest) {
+TEST(Convert, AReducedAngleIsTheBestAndTheLargest) {
   std::map<long, double> rms_of_cone;
   for (const double deg : {85.5, 88.75, 89.0, 89.25, 90.0, 97.5}) {
     Diagnostics diagnostics;
     const std::optional<Conversion> conversion = to(test::tumvi(), "rational", diagnostics, deg);
     ASSERT_TRUE(conversion) << deg;
     if (diagnostics.entries().empty()) continue;
-    const double rms = conversion->report.judgement.error.rms;
+    const double rms = conversion->report.statistics.error.rms;
     const auto [known, is_first] = rms_of_cone.emplace(std::lround(conversion->report.scored_to_deg), rms);
     EXPECT_NEAR(rms / known->second, 1.0, 0.005) << deg;
   }
@@ -281,11 +281,11 @@ TEST(Convert, AConeIsTheBestAndTheLargest) {
     const double wider = cone->report.scored_to_deg + 1.0;
     const std::optional<Conversion> other = to(camera, "radtan", diagnostics, wider);
     ASSERT_TRUE(other);
-    EXPECT_TRUE(other->report.scored_to_deg < wider - 1e-6 || other->report.judgement.error.rms > 1.0);
+    EXPECT_TRUE(other->report.scored_to_deg < wider - 1e-6 || other->report.statistics.error.rms > 1.0);
   }
 }
 
-TEST(Convert, ScoredToIsTheDomainOrTheCone) {
+TEST(Convert, ScoredToIsTheFieldOfViewOrTheReducedAngle) {
   Diagnostics diagnostics;
   const std::optional<Conversion> whole = to(test::tumvi(), "eucm", diagnostics, 97.5);
   ASSERT_TRUE(whole);
@@ -297,13 +297,13 @@ TEST(Convert, ScoredToIsTheDomainOrTheCone) {
   const std::optional<Conversion> cone = to(test::tumvi(), "radtan", diagnostics, 97.5);
   ASSERT_TRUE(cone);
   const double end = cone->report.scored_to_deg;
-  for (const ErrorBand& band : cone->report.judgement.bands) EXPECT_EQ(band.share > 0.0, band.from_deg < end) << band.from_deg;
-  // Beyond, nothing was scored: judged without a cone there is more.
-  const std::optional<Domain> inside = domain_of(test::tumvi(), end * test::kRadians, diagnostics);
+  for (const ErrorBand& band : cone->report.statistics.bands) EXPECT_EQ(band.share > 0.0, band.from_deg < end) << band.from_deg;
+  // Beyond, nothing was scored: evaluated without a cone there is more.
+  const std::optional<FieldOfView> inside = field_of_view_of(test::tumvi(), end * test::kRadians, diagnostics);
   ASSERT_TRUE(inside);
-  const Judgement judged = judge(test::tumvi().model, cone->camera.model, *inside);
-  EXPECT_NEAR(judged.coverage.scored, cone->report.judgement.coverage.scored, 1e-3);
-  EXPECT_NEAR(judged.error.rms, cone->report.judgement.error.rms, 1e-3 * judged.error.rms);
+  const ErrorStatistics evaluated = evaluate(test::tumvi().model, cone->camera.model, *inside);
+  EXPECT_NEAR(evaluated.coverage.scored, cone->report.statistics.coverage.scored, 1e-3);
+  EXPECT_NEAR(evaluated.error.rms, cone->report.statistics.error.rms, 1e-3 * evaluated.error.rms);
 }
 
 TEST(Convert, RangesOfTheTargetAreKept) {
@@ -341,7 +341,7 @@ TEST(Convert, ABestCameraAtAnOpenBoundIsFound) {
     const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
     ASSERT_TRUE(conversion) << model_info(model).id;
     EXPECT_EQ(conversion->report.at_bound, (std::vector<std::string>{"alpha", "beta"}));
-    EXPECT_LE(conversion->report.judgement.error.rms, pinhole->report.judgement.error.rms + 1e-4);
+    EXPECT_LE(conversion->report.statistics.error.rms, pinhole->report.statistics.error.rms + 1e-4);
   }
 }
 
@@ -360,7 +360,7 @@ TEST(Convert, OcamcalibHoldsItsHigherCoefficientsUnlessAsked) {
   const std::optional<Conversion> degree_6 = convert(test::euroc(), options, diagnostics);
   ASSERT_TRUE(degree_6);
   EXPECT_NE(parameter(degree_6->camera.model, "a6"), 0.0);
-  EXPECT_LT(degree_6->report.judgement.error.rms, 0.8 * degree_4->report.judgement.error.rms);
+  EXPECT_LT(degree_6->report.statistics.error.rms, 0.8 * degree_4->report.statistics.error.rms);
 }
 
 TEST(Convert, APrincipalPointOnASampleIsFine) {
@@ -370,7 +370,7 @@ TEST(Convert, APrincipalPointOnASampleIsFine) {
     const std::optional<Conversion> conversion = to(camera, std::string(model.id));
     ASSERT_TRUE(conversion) << model.id;
     for (const double v : parameter_values(conversion->camera.model)) EXPECT_TRUE(std::isfinite(v)) << model.id;
-    EXPECT_TRUE(std::isfinite(conversion->report.judgement.error.rms)) << model.id;
+    EXPECT_TRUE(std::isfinite(conversion->report.statistics.error.rms)) << model.id;
   }
 }
 
@@ -387,8 +387,8 @@ TEST(Convert, EverythingButTheModelIsKept) {
 }
 
 TEST(Convert, RandomDoubleSpheresAreFoundAgainToAHundredthOfAPixel) {
-  // No far basin: the pixels of a ds, through a kb4 that describes them at least as well, lead back to a ds. (convert() itself
-  // would copy a ds.) Valleys near the singular ridge xi = 0 end at errors below a thousandth of a pixel.
+  // No far local minimum: the pixels of a ds, through a kb4 that describes them at least as well, lead back to a ds. (convert()
+  // itself would copy a ds.) Valleys near the singular ridge xi = 0 end at errors below a thousandth of a pixel.
   constexpr double kHundredth = 0.01;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> alpha(0.4, 0.75);
@@ -401,10 +401,10 @@ TEST(Convert, RandomDoubleSpheresAreFoundAgainToAHundredthOfAPixel) {
     const double limit = std::min(80.0, 0.95 * max_angle(model) / test::kRadians);
     const std::optional<Conversion> kb4 = to(camera, "kb4", diagnostics, limit);
     ASSERT_TRUE(kb4);
-    if (kb4->report.judgement.error.rms > kHundredth) continue;
+    if (kb4->report.statistics.error.rms > kHundredth) continue;
     const std::optional<Conversion> back = to(kb4->camera, "ds", diagnostics, limit);
     ASSERT_TRUE(back);
-    EXPECT_LE(back->report.judgement.error.rms, kHundredth)
+    EXPECT_LE(back->report.statistics.error.rms, kHundredth)
         << parameter(model, "alpha").value() << " " << parameter(model, "xi").value();
     ++compared;
   }
@@ -460,8 +460,8 @@ TEST(Convert, DegenerateCamerasEndWithoutGarbage) {
         continue;
       }
       EXPECT_TRUE(validate(conversion->camera.model).empty()) << model.id;
-      EXPECT_TRUE(std::isfinite(conversion->report.judgement.error.rms)) << model.id;
-      EXPECT_TRUE(std::isfinite(conversion->report.judgement.error.max)) << model.id;
+      EXPECT_TRUE(std::isfinite(conversion->report.statistics.error.rms)) << model.id;
+      EXPECT_TRUE(std::isfinite(conversion->report.statistics.error.max)) << model.id;
     }
   }
 }
@@ -553,18 +553,18 @@ TEST(Convert, DegenerateCamerasEndInADiagnosticOrARightResult) {
       }
       const bool said = std::ranges::any_of(diagnostics.entries(), [&c](const Diagnostic& d) { return id_of(d) == c.warning; });
       EXPECT_EQ(said, *c.warning != '\0');
-      const Judgement& judgement = conversion->report.judgement;
-      const Coverage& coverage = judgement.coverage;
+      const ErrorStatistics& statistics = conversion->report.statistics;
+      const Coverage& coverage = statistics.coverage;
       EXPECT_NEAR(coverage.scored + coverage.outside_lens + coverage.unrepresentable, 1.0, 1e-9);
       EXPECT_TRUE(validate(conversion->camera.model).empty());
       constexpr double kNobodySees = 1e-6;  // px
-      EXPECT_LE(largest_error(c.camera, *conversion), 1.001 * judgement.error.max + kNobodySees) << "what is said is true";
+      EXPECT_LE(largest_error(c.camera, *conversion), 1.001 * statistics.error.max + kNobodySees) << "what is said is true";
       if (among(c.exact, model.id)) {
         EXPECT_TRUE(conversion->report.exact);
-        EXPECT_LE(judgement.error.max, 1e-9);
+        EXPECT_LE(statistics.error.max, 1e-9);
       }
       if (among(c.good, model.id)) {
-        EXPECT_LE(judgement.error.rms, 0.5);
+        EXPECT_LE(statistics.error.rms, 0.5);
         EXPECT_EQ(coverage.unrepresentable, 0.0);
       }
     }
@@ -578,9 +578,9 @@ TEST(Convert, ALensFoldedInsideTheImageIsItsPartBeforeTheFold) {
   Diagnostics diagnostics;
   const std::optional<Conversion> conversion = to(camera, "kb4", diagnostics);
   ASSERT_TRUE(conversion);
-  const Coverage& coverage = conversion->report.judgement.coverage;
+  const Coverage& coverage = conversion->report.statistics.coverage;
   EXPECT_NEAR(coverage.max_angle_deg, fold, 1e-6);
-  EXPECT_EQ(coverage.why.code, Code::kDomainModelEnds);
+  EXPECT_EQ(coverage.why.code, Code::kFieldOfViewModelEnds);
   const double radius = 300.0 * std::sqrt(1.0 / 1.2) * (1.0 - 0.4 / 1.2);
   EXPECT_NEAR(coverage.scored + coverage.unrepresentable, std::numbers::pi * radius * radius / (640.0 * 480.0), 2e-3);
   EXPECT_LE(conversion->report.scored_to_deg, fold + 1e-9);

@@ -63,14 +63,14 @@ TEST(Degree, IsTheLowestThatIsNearlyAsGoodAsAny) {
       const ConversionReport& with = other.report;
       if (turns_inside(other)) continue;
       EXPECT_EQ(with.degree, degree);
-      const double rms = with.judgement.error.rms;
+      const double rms = with.statistics.error.rms;
       best = std::min(best, rms);
       const bool is_lower = degree < chosen.degree;
-      EXPECT_TRUE(degree != chosen.degree || rms == chosen.judgement.error.rms) << each.name;
+      EXPECT_TRUE(degree != chosen.degree || rms == chosen.statistics.error.rms) << each.name;
       EXPECT_TRUE(!is_lower || rms > kGoodEnoughPx) << each.name << ": degree " << degree << " is good enough";
-      EXPECT_GE(with.judgement.coverage.scored, chosen.judgement.coverage.scored - 2e-3) << each.name;
+      EXPECT_GE(with.statistics.coverage.scored, chosen.statistics.coverage.scored - 2e-3) << each.name;
     }
-    EXPECT_LE(chosen.judgement.error.rms, std::max(1.1 * best, kGoodEnoughPx)) << each.name;
+    EXPECT_LE(chosen.statistics.error.rms, std::max(1.1 * best, kGoodEnoughPx)) << each.name;
   }
 }
 
@@ -78,7 +78,7 @@ TEST(Degree, IsTheLowestThatIsNearlyAsGoodAsAny) {
 TEST(Degree, GainsMuchOnAWideLens) {
   for (const Case& each : cases()) {
     if (each.max_angle_deg.value_or(0.0) < 90.0) continue;
-    EXPECT_LT(report(each, {}).judgement.error.rms, 0.5 * report(each, 4).judgement.error.rms) << each.name;
+    EXPECT_LT(report(each, {}).statistics.error.rms, 0.5 * report(each, 4).statistics.error.rms) << each.name;
   }
 }
 

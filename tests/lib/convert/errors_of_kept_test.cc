@@ -18,10 +18,10 @@ TEST(ErrorsOfKept, AreLeftOutOnlyOfTheSameModelAndAWholeImage) {
   options.errors_of_kept = false;
   const std::optional<Conversion> without = convert(camera, options, diagnostics);
   ASSERT_TRUE(with && without);
-  const Coverage& full = with->report.judgement.coverage;
-  const Coverage& alone = without->report.judgement.coverage;
-  EXPECT_FALSE(with->report.judgement.bands.empty());
-  EXPECT_TRUE(without->report.judgement.bands.empty());
+  const Coverage& full = with->report.statistics.coverage;
+  const Coverage& alone = without->report.statistics.coverage;
+  EXPECT_FALSE(with->report.statistics.bands.empty());
+  EXPECT_TRUE(without->report.statistics.bands.empty());
   EXPECT_EQ(full.scored, alone.scored);
   EXPECT_EQ(full.outside_lens, alone.outside_lens);
   EXPECT_EQ(full.unrepresentable, alone.unrepresentable);
@@ -31,7 +31,7 @@ TEST(ErrorsOfKept, AreLeftOutOnlyOfTheSameModelAndAWholeImage) {
   options.max_angle_rad = 50.0 * kRadians;
   const std::optional<Conversion> cut = convert(camera, options, diagnostics);
   ASSERT_TRUE(cut);
-  EXPECT_LT(cut->report.judgement.coverage.scored, 1.0);
+  EXPECT_LT(cut->report.statistics.coverage.scored, 1.0);
 }
 
 }  // namespace

@@ -46,13 +46,13 @@ TEST(FixedParameters, OneFocalLengthIsTheBest) {
     ASSERT_TRUE(found) << target;
     const double f = value_of(*found, "fx");
     EXPECT_EQ(f, value_of(*found, "fy")) << target;
-    const double rms = found->report.judgement.error.rms;
+    const double rms = found->report.statistics.error.rms;
     for (const double beside : {0.999 * f, 1.001 * f}) {
       ConvertOptions there;
       there.ranges = {{"fx", beside, beside}, {"fy", beside, beside}};
       const std::optional<Conversion> other = converted(lens(), there, target);
       ASSERT_TRUE(other) << target;
-      EXPECT_GT(other->report.judgement.error.rms, rms) << target << " " << beside;
+      EXPECT_GT(other->report.statistics.error.rms, rms) << target << " " << beside;
     }
   }
 }
@@ -90,11 +90,11 @@ TEST(UsualRanges, AreKeptOrReported) {
       SCOPED_TRACE(std::string(model_info(camera.model).id) + " -> " + target);
       const std::optional<Conversion> found = converted(camera, {}, target);
       ASSERT_TRUE(found);
-      if (found->report.exact || found->report.judgement.error.rms < 1e-6) continue;
+      if (found->report.exact || found->report.statistics.error.rms < 1e-6) continue;
       EXPECT_EQ(is_usual(found->camera.model), found->report.unusual.empty());
       for (const UnusualParameter& each : found->report.unusual) {
         ++reported;
-        EXPECT_TRUE(each.rms_inside_px == 0.0 || each.rms_inside_px > 1.01 * found->report.judgement.error.rms) << each.name;
+        EXPECT_TRUE(each.rms_inside_px == 0.0 || each.rms_inside_px > 1.01 * found->report.statistics.error.rms) << each.name;
       }
     }
   }

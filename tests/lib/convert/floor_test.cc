@@ -28,7 +28,7 @@ TEST_P(FloorTest, FitReachesTheOptimum) {
   const std::optional<Conversion> conversion = convert(floor.camera, options, diagnostics);
   ASSERT_TRUE(conversion);
   EXPECT_TRUE(diagnostics.entries().empty());
-  const Judgement& j = conversion->report.judgement;
+  const ErrorStatistics& j = conversion->report.statistics;
   EXPECT_LE(j.error.rms, 1.005 * (floor.rms + floor.half_digit));
   // Some of the prototypes' radtan fits can be beaten by 4 %; more than that would mean that something was not scored.
   EXPECT_GE(j.error.rms, 0.95 * (floor.rms - floor.half_digit));

@@ -23,7 +23,7 @@ inline Camera make_camera(const CameraModel& model, ImageSize size) {
 }
 
 /// The camera, whose image is lit in a circle only.
-inline Camera lit_in(Camera camera, const Pixel& centre, double radius_px) {
+inline Camera with_image_circle(Camera camera, const Pixel& centre, double radius_px) {
   camera.lens_circle = LensCircle{centre, radius_px, 1.0, 0.0, {Code::kOnlyThing, {"a circle of the test"}}};
   return camera;
 }

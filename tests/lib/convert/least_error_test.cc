@@ -39,8 +39,8 @@ TEST(LeastRms, NoFitIsBetter) {
         EXPECT_GT(*least, 0.0);
         // A cone is fitted where the whole is off by more than a pixel.
         const double reached_px =
-            fit->report.fitted_to_cone ? std::numeric_limits<double>::infinity() : fit->report.judgement.error.rms;
-        whole += fit->report.fitted_to_cone ? 0 : 1;
+            fit->report.angle_reduced ? std::numeric_limits<double>::infinity() : fit->report.statistics.error.rms;
+        whole += fit->report.angle_reduced ? 0 : 1;
         EXPECT_LE(*least, kOtherPixels * reached_px) << model << " from " << fit->report.from_model << " " << angle;
       }
     }
@@ -57,8 +57,8 @@ TEST(LeastRms, OfAPinholeIsNearlyThatOfItsFit) {
   const std::optional<Conversion> fit = convert(camera, options, diagnostics);
   const std::optional<double> least = least_rms_px(camera, "pinhole", options.max_angle_rad);
   ASSERT_TRUE(fit && least);
-  EXPECT_FALSE(fit->report.fitted_to_cone);
-  EXPECT_GT(kOtherPixels * *least, fit->report.judgement.error.rms);
+  EXPECT_FALSE(fit->report.angle_reduced);
+  EXPECT_GT(kOtherPixels * *least, fit->report.statistics.error.rms);
 }
 
 TEST(LeastRms, IsNothingOfACameraOfTheModel) {

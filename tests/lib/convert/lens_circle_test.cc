@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A lit circle is the domain: nothing outside it counts, wherever its centre is.
+// An image circle is the field of view: nothing outside it counts, wherever its centre is.
 #include "known_cameras.h"
 
 #include <fca/convert/convert.h>
-#include <fca/convert/domain.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
+#include <fca/convert/field_of_view.h>
 
 #include <gtest/gtest.h>
 
@@ -20,9 +20,9 @@ std::optional<Conversion> converted(const Camera& camera, std::string model, std
   return convert(camera, options, diagnostics);
 }
 
-Camera eccentric() { return test::lit_in(test::tumvi(), {215.0, 270.0}, 210.0); }
+Camera eccentric() { return test::with_image_circle(test::tumvi(), {215.0, 270.0}, 210.0); }
 
-TEST(LensCircle, ThePixelsInItAreTheDomain) {
+TEST(LensCircle, ThePixelsInItAreTheFieldOfView) {
   const Camera camera = eccentric();
   long long inside = 0;
   for (int v = 0; v < camera.image_size->height; ++v) {
@@ -31,7 +31,7 @@ TEST(LensCircle, ThePixelsInItAreTheDomain) {
   }
   const std::optional<Conversion> conversion = converted(camera, "ds");
   ASSERT_TRUE(conversion);
-  const Coverage& coverage = conversion->report.judgement.coverage;
+  const Coverage& coverage = conversion->report.statistics.coverage;
   EXPECT_EQ(coverage.scored_pixels + coverage.unrepresentable_pixels, inside);
   EXPECT_NEAR(coverage.scored + coverage.unrepresentable + coverage.outside_lens, 1.0, 1e-12);
   ASSERT_TRUE(coverage.circle);
@@ -42,8 +42,8 @@ TEST(LensCircle, ThePixelsInItAreTheDomain) {
 TEST(LensCircle, ItsLargestAngleIsThatOfItsFurthestPixel) {
   const Camera camera = eccentric();
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  ASSERT_TRUE(domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  ASSERT_TRUE(field_of_view);
   double furthest = 0.0;
   constexpr int kAzimuths = 100'000;
   for (int i = 0; i < kAzimuths; ++i) {
@@ -51,17 +51,17 @@ TEST(LensCircle, ItsLargestAngleIsThatOfItsFurthestPixel) {
     const std::optional<Ray> ray = unproject(camera.model, pixel);
     if (ray && camera.image_size->holds(pixel)) furthest = std::max(furthest, angle_from_axis(*ray));
   }
-  EXPECT_GE(domain->max_angle_rad, furthest);
-  EXPECT_LE(domain->max_angle_rad, furthest * (1.0 + 1e-8));
+  EXPECT_GE(field_of_view->max_angle_rad, furthest);
+  EXPECT_LE(field_of_view->max_angle_rad, furthest * (1.0 + 1e-8));
 }
 
 TEST(LensCircle, NeedsNotHoldThePrincipalPoint) {
-  const Camera camera = test::lit_in(test::tumvi(), {60.0, 60.0}, 10.0);
+  const Camera camera = test::with_image_circle(test::tumvi(), {60.0, 60.0}, 10.0);
   for (const char* target : {"ucm", "eucm", "ds", "mei", "ocamcalib"}) {
     const std::optional<Conversion> conversion = converted(camera, target);
     ASSERT_TRUE(conversion) << target;
-    EXPECT_LE(conversion->report.judgement.error.rms, 0.02) << target;
-    EXPECT_EQ(conversion->report.judgement.coverage.unrepresentable, 0.0) << target;
+    EXPECT_LE(conversion->report.statistics.error.rms, 0.02) << target;
+    EXPECT_EQ(conversion->report.statistics.coverage.unrepresentable, 0.0) << target;
   }
 }
 
@@ -69,18 +69,18 @@ TEST(LensCircle, NeedsNotHoldThePrincipalPoint) {
 TEST(LensCircle, AFitToItIsTheBestInIt) {
   const Camera camera = eccentric();
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  ASSERT_TRUE(domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  ASSERT_TRUE(field_of_view);
   Camera without = camera;
   without.lens_circle.reset();
   for (const char* model : {"ucm", "eucm", "ds", "kb4"}) {
     SCOPED_TRACE(model);
     const std::optional<Conversion> lit = converted(camera, model);
-    const std::optional<Conversion> cone = converted(without, model, domain->max_angle_rad);
+    const std::optional<Conversion> cone = converted(without, model, field_of_view->max_angle_rad);
     const std::optional<Conversion> image = converted(without, model);
     ASSERT_TRUE(lit && cone && image);
     const auto rms_in_circle = [&](const CameraModel& target) {
-      return judge(camera.model, target, *domain, {.every_pixel = true}).error.rms;
+      return evaluate(camera.model, target, *field_of_view, {.every_pixel = true}).error.rms;
     };
     constexpr double kAlike = 1.0005;
     EXPECT_LE(rms_in_circle(lit->camera.model), kAlike * rms_in_circle(cone->camera.model));
@@ -88,17 +88,17 @@ TEST(LensCircle, AFitToItIsTheBestInIt) {
   }
 }
 
-TEST(LensCircle, AroundTheAxisItIsACone) {
+TEST(LensCircle, AroundTheAxisItIsAMaxAngle) {
   const Camera tumvi = test::tumvi();
-  const Camera camera = test::lit_in(tumvi, principal_point(tumvi.model), 200.0);
+  const Camera camera = test::with_image_circle(tumvi, principal_point(tumvi.model), 200.0);
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  ASSERT_TRUE(domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  ASSERT_TRUE(field_of_view);
   const std::optional<Conversion> lit = converted(camera, "eucm");
-  const std::optional<Conversion> cone = converted(tumvi, "eucm", domain->max_angle_rad);
+  const std::optional<Conversion> cone = converted(tumvi, "eucm", field_of_view->max_angle_rad);
   ASSERT_TRUE(lit && cone);
-  const Judgement& a = lit->report.judgement;
-  const Judgement& b = cone->report.judgement;
+  const ErrorStatistics& a = lit->report.statistics;
+  const ErrorStatistics& b = cone->report.statistics;
   EXPECT_NEAR(a.error.rms, b.error.rms, 1e-3 * b.error.rms);
   EXPECT_NEAR(a.error.max, b.error.max, 1e-2 * b.error.max);
   EXPECT_NEAR(a.coverage.scored, b.coverage.scored, 1e-3);
@@ -106,12 +106,12 @@ TEST(LensCircle, AroundTheAxisItIsACone) {
 
 TEST(LensCircle, OneAroundTheWholeImageCutsNothing) {
   const Camera tumvi = test::tumvi();
-  const Camera camera = test::lit_in(tumvi, {240.0, 260.0}, 1000.0);
+  const Camera camera = test::with_image_circle(tumvi, {240.0, 260.0}, 1000.0);
   const std::optional<Conversion> lit = converted(camera, "eucm");
   const std::optional<Conversion> whole = converted(tumvi, "eucm");
   ASSERT_TRUE(lit && whole);
   EXPECT_EQ(lit->camera.model, whole->camera.model);
-  EXPECT_FALSE(lit->report.judgement.coverage.circle);
+  EXPECT_FALSE(lit->report.statistics.coverage.circle);
 }
 
 // The worst pixel may be anywhere on the rim: it is there that the other objective makes it smaller.
@@ -122,22 +122,22 @@ TEST(LensCircle, ItsRimIsLookedAlongForTheWorstPixel) {
   options.objective = Objective::kMax;
   Diagnostics diagnostics;
   const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  ASSERT_TRUE(conversion && domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  ASSERT_TRUE(conversion && field_of_view);
   ASSERT_TRUE(conversion->report.rms_fit);
-  EXPECT_LT(conversion->report.judgement.error.max, conversion->report.rms_fit->max_px);
+  EXPECT_LT(conversion->report.statistics.error.max, conversion->report.rms_fit->max_px);
   constexpr int kAzimuths = 5'000;
   double worst = 0.0;
   for (int i = 0; i < kAzimuths; ++i) {
     LensCircle inner = *camera.lens_circle;
     inner.radius_px -= 1e-6;
     const Pixel pixel = inner.rim(2.0 * std::numbers::pi * i / kAzimuths);
-    const std::optional<Ray> ray = domain->ray(camera.model, pixel);
+    const std::optional<Ray> ray = field_of_view->ray(camera.model, pixel);
     const std::optional<Pixel> image = ray ? project(conversion->camera.model, *ray) : std::nullopt;
     if (image) worst = std::max(worst, std::hypot((*image)[0] - pixel[0], (*image)[1] - pixel[1]));
   }
-  EXPECT_GE(conversion->report.judgement.error.max, worst * (1.0 - 1e-6));
-  EXPECT_LE(conversion->report.judgement.error.bound, 1.1 * conversion->report.judgement.error.max + 1e-9);
+  EXPECT_GE(conversion->report.statistics.error.max, worst * (1.0 - 1e-6));
+  EXPECT_LE(conversion->report.statistics.error.bound, 1.1 * conversion->report.statistics.error.max + 1e-9);
 }
 
 }  // namespace

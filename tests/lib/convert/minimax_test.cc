@@ -3,7 +3,7 @@
 #include "known_cameras.h"
 
 #include <fca/convert/convert.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 
 #include <gtest/gtest.h>
 
@@ -64,9 +64,11 @@ Conversion converted(const Case& c, Objective objective) {
 std::vector<Correspondence> dense_lattice(const Case& c, const Conversion& conversion) {
   constexpr int kSpacing = 8;  // px
   Diagnostics diagnostics;
-  std::optional<Domain> domain = domain_of(c.camera, options_of(c, Objective::kMax).max_angle_rad, diagnostics);
+  std::optional<FieldOfView> field_of_view =
+      field_of_view_of(c.camera, options_of(c, Objective::kMax).max_angle_rad, diagnostics);
   constexpr double kRounding = 1e-12;
-  domain->max_angle_rad = std::min(domain->max_angle_rad, (1.0 + kRounding) * conversion.report.scored_to_deg * test::kRadians);
+  field_of_view->max_angle_rad =
+      std::min(field_of_view->max_angle_rad, (1.0 + kRounding) * conversion.report.scored_to_deg * test::kRadians);
   std::vector<Correspondence> points;
   const auto side = [](int pixels) {
     std::vector<double> positions;
@@ -76,7 +78,7 @@ std::vector<Correspondence> dense_lattice(const Case& c, const Conversion& conve
   };
   for (const double v : side(c.camera.image_size->height)) {
     for (const double u : side(c.camera.image_size->width)) {
-      const std::optional<Ray> ray = domain->ray(c.camera.model, {u, v});
+      const std::optional<Ray> ray = field_of_view->ray(c.camera.model, {u, v});
       if (ray && project(conversion.camera.model, *ray)) points.push_back({*ray, {u, v}, 1.0});
     }
   }
@@ -101,8 +103,8 @@ class MinimaxTest : public testing::TestWithParam<Case> {};
 TEST_P(MinimaxTest, TheWorstPixelIsNeverWorseAndIsPaidInRms) {
   const Conversion rms = converted(GetParam(), Objective::kRms);
   const Conversion max = converted(GetParam(), Objective::kMax);
-  const Judgement& before = rms.report.judgement;
-  const Judgement& after = max.report.judgement;
+  const ErrorStatistics& before = rms.report.statistics;
+  const ErrorStatistics& after = max.report.statistics;
   EXPECT_LE(after.error.max, before.error.max);
   // The least-squares fit is one on samples: within half a percent of the image's optimum.
   EXPECT_GE(after.error.rms, before.error.rms / 1.005);
@@ -195,7 +197,7 @@ TEST(Minimax, RangesOfTheTargetAreKept) {
   const std::optional<Conversion> eucm = convert(test::euroc(), options, diagnostics);
   ASSERT_TRUE(eucm);
   EXPECT_TRUE(within(eucm->camera.model, options.ranges));
-  EXPECT_LT(eucm->report.judgement.error.max, eucm->report.rms_fit->max_px);
+  EXPECT_LT(eucm->report.statistics.error.max, eucm->report.rms_fit->max_px);
   EXPECT_EQ(eucm->report.at_bound, std::vector<std::string>{"alpha"});
 
   options.model = "radtan";
@@ -203,7 +205,7 @@ TEST(Minimax, RangesOfTheTargetAreKept) {
   const std::optional<Conversion> radtan = convert(test::kalibr_kb4(), options, diagnostics);
   ASSERT_TRUE(radtan);
   EXPECT_EQ(parameter(radtan->camera.model, "k3").value(), 0.0);
-  EXPECT_LT(radtan->report.judgement.error.max, radtan->report.rms_fit->max_px);
+  EXPECT_LT(radtan->report.statistics.error.max, radtan->report.rms_fit->max_px);
   EXPECT_TRUE(radtan->report.at_bound.empty()) << "a fixed parameter is no bound that was hit";
 }
 
@@ -223,12 +225,12 @@ TEST(Minimax, WhatIsExactStaysExact) {
   options.model = "mei";
   const std::optional<Conversion> mei = convert(test::euroc(), options, diagnostics);
   ASSERT_TRUE(mei);
-  EXPECT_LE(mei->report.judgement.error.max, kExact);
+  EXPECT_LE(mei->report.statistics.error.max, kExact);
   options.model = "ds";
   const Camera symmetric = test::make_camera(Intrinsics<Eucm>{{300, 300, 319.5, 239.5, 0.6, 1.0}}, {640, 480});
   const std::optional<Conversion> ds = convert(symmetric, options, diagnostics);
   ASSERT_TRUE(ds);
-  EXPECT_LE(ds->report.judgement.error.max, kExact);
+  EXPECT_LE(ds->report.statistics.error.max, kExact);
 }
 
 TEST(Minimax, TheSameQuestionHasTheSameAnswer) {
@@ -247,7 +249,7 @@ TEST(Minimax, ASteepFitIsNotKept) {
   const Conversion max = converted(steep, Objective::kMax);
   ASSERT_TRUE(max.report.rms_fit);
   EXPECT_FALSE(max.report.rms_fit->kept);
-  EXPECT_LT(max.report.judgement.error.max, 0.1 * rms.report.judgement.error.max);
+  EXPECT_LT(max.report.statistics.error.max, 0.1 * rms.report.statistics.error.max);
 }
 
 }  // namespace

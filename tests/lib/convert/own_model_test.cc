@@ -3,8 +3,8 @@
 #include "known_cameras.h"
 
 #include <fca/convert/convert.h>
+#include <fca/convert/evaluate.h>
 #include <fca/convert/fit.h>
-#include <fca/convert/judge.h>
 #include <fca/convert/ray_table.h>
 #include <fca/convert/sample.h>
 
@@ -60,22 +60,22 @@ struct OwnEucm {
 };
 static_assert(CameraModelType<OwnEucm>);
 
-Domain domain_of(const Camera& camera, double degrees) {
+FieldOfView field_of_view_of(const Camera& camera, double degrees) {
   Diagnostics diagnostics;
-  return fca::domain_of(camera, degrees * test::kRadians, diagnostics).value();
+  return fca::field_of_view_of(camera, degrees * test::kRadians, diagnostics).value();
 }
 
 TEST(OwnModel, IsFittedToTheOptimumOfTheSameModelInTheList) {
   for (const auto& [camera, degrees] :
        {std::pair{test::tumvi(), 97.5}, {test::kalibr_ds(), 180.0}, {test::lens_220(), 110.0}}) {
-    const Domain domain = domain_of(camera, degrees);
-    const std::vector<Correspondence> samples = sample(camera.model, domain);
+    const FieldOfView field_of_view = field_of_view_of(camera, degrees);
+    const std::vector<Correspondence> samples = sample(camera.model, field_of_view);
     const std::optional<Fitted<OwnEucm>> own = fit<OwnEucm>(samples, Lens(camera.model).centre());
     const std::optional<Fitted<Eucm>> listed = fit<Eucm>(samples, Lens(camera.model).centre());
     ASSERT_TRUE(own && listed);
     EXPECT_NEAR(own->rms_px, listed->rms_px, 1e-9);
-    const Judgement a = judge(camera.model, projection_of(own->model), domain);
-    const Judgement b = judge(camera.model, CameraModel(listed->model), domain);
+    const ErrorStatistics a = evaluate(camera.model, projection_of(own->model), field_of_view);
+    const ErrorStatistics b = evaluate(camera.model, CameraModel(listed->model), field_of_view);
     // A fit ends where a step gains a billionth of the cost: its parameters, and the error at one pixel, to the root of that.
     constexpr double kEnd = 1e-9;
     EXPECT_NEAR(a.error.rms, b.error.rms, 10.0 * kEnd * b.error.rms);
@@ -87,7 +87,7 @@ TEST(OwnModel, IsFittedToTheOptimumOfTheSameModelInTheList) {
 
 TEST(OwnModel, RangesHoldAParameter) {
   const Camera camera = test::tumvi();
-  const std::vector<Correspondence> samples = sample(camera.model, domain_of(camera, 80.0));
+  const std::vector<Correspondence> samples = sample(camera.model, field_of_view_of(camera, 80.0));
   const std::vector<ParameterRange> ranges = {{"beta", 1.0, 1.0}};
   const std::optional<Fitted<OwnEucm>> own = fit<OwnEucm>(samples, Lens(camera.model).centre(), ranges);
   const std::optional<Fitted<Ucm>> ucm = fit<Ucm>(samples, Lens(camera.model).centre());
@@ -103,30 +103,30 @@ TEST(OwnModel, IsASourceLikeAnyOther) {
   const Lens lens(own);
   const Lens function([&model](const Pixel& pixel) { return unproject(model, pixel); }, lens.centre(), max_angle(model));
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = fca::domain_of(model, {752, 480}, {}, "cam0", diagnostics);
-  ASSERT_TRUE(domain);
-  const std::vector<Correspondence> samples = sample(model, *domain);
+  const std::optional<FieldOfView> field_of_view = fca::field_of_view_of(model, {752, 480}, {}, "cam0", diagnostics);
+  ASSERT_TRUE(field_of_view);
+  const std::vector<Correspondence> samples = sample(model, *field_of_view);
   const std::optional<Fitted<Kb4>> kb4 = fit<Kb4>(samples, Lens(model).centre());
   ASSERT_TRUE(kb4);
-  const Judgement expected = judge(model, CameraModel(kb4->model), *domain);
+  const ErrorStatistics expected = evaluate(model, CameraModel(kb4->model), *field_of_view);
   for (const Lens* source : {&lens, &function}) {
-    const std::optional<Domain> same = fca::domain_of(*source, {752, 480}, {}, "cam0", diagnostics);
+    const std::optional<FieldOfView> same = fca::field_of_view_of(*source, {752, 480}, {}, "cam0", diagnostics);
     ASSERT_TRUE(same);
-    EXPECT_EQ(same->max_angle_rad, domain->max_angle_rad);
+    EXPECT_EQ(same->max_angle_rad, field_of_view->max_angle_rad);
     const std::vector<Correspondence> theirs = sample(*source, *same);
     ASSERT_EQ(theirs.size(), samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_EQ(theirs[i].ray, samples[i].ray);
-    const Judgement judged = judge(*source, CameraModel(kb4->model), *same);
+    const ErrorStatistics evaluated = evaluate(*source, CameraModel(kb4->model), *same);
     // The listed model's pixels are computed many at a time: the same to 1e-12 of the image's width, not to the last bit.
-    EXPECT_NEAR(judged.error.rms, expected.error.rms, 1e-12 * 752);
-    EXPECT_NEAR(judged.error.max, expected.error.max, 1e-6 * expected.error.max);
+    EXPECT_NEAR(evaluated.error.rms, expected.error.rms, 1e-12 * 752);
+    EXPECT_NEAR(evaluated.error.max, expected.error.max, 1e-6 * expected.error.max);
   }
 }
 
 TEST(RayTable, GivesTheCameraItWasMadeFrom) {
   std::mt19937 random(4);
   for (const Camera& camera : {test::tumvi(), test::euroc(), test::kalibr_ds(), test::lens_220()}) {
-    std::vector<Correspondence> table = sample(camera.model, domain_of(camera, 100.0), 400);
+    std::vector<Correspondence> table = sample(camera.model, field_of_view_of(camera, 100.0), 400);
     std::ranges::shuffle(table, random);
     const std::optional<LensCentre> centre = centre_of(table);
     ASSERT_TRUE(centre);
@@ -139,20 +139,20 @@ TEST(RayTable, GivesTheCameraItWasMadeFrom) {
         [&]<class M>(const Intrinsics<M>& /*model*/) {
           const std::optional<Fitted<M>> fitted = fit<M>(table, *centre);
           ASSERT_TRUE(fitted);
-          EXPECT_LE(judge(table, projection_of(fitted->model)).max, 1e-7) << M::kId;
+          EXPECT_LE(evaluate(table, projection_of(fitted->model)).max, 1e-7) << M::kId;
         },
         camera.model);
   }
 }
 
-TEST(RayTable, IsJudgedByItsWeights) {
+TEST(RayTable, IsEvaluatedByItsWeights) {
   std::vector<Correspondence> table = {
       {{0.0, 0.0, 1.0}, {10.0, 10.0}, 3.0}, {{0.1, 0.0, 1.0}, {20.0, 10.0}, 1.0}, {{0.0, 0.0, -1.0}, {0.0, 0.0}, 5.0}};
   const Projection target = [](const Ray& ray) {
     if (ray[2] < 0.0) return std::optional<Pixel>();
     return std::optional<Pixel>(ray[0] == 0.0 ? Pixel{10.0, 11.0} : Pixel{23.0, 14.0});
   };
-  const ErrorSummary error = judge(table, target);
+  const ErrorSummary error = evaluate(table, target);
   EXPECT_DOUBLE_EQ(error.rms, std::sqrt((3.0 * 1.0 + 1.0 * 25.0) / 4.0));
   EXPECT_DOUBLE_EQ(error.mean, (3.0 * 1.0 + 1.0 * 5.0) / 4.0);
   EXPECT_DOUBLE_EQ(error.max, 5.0);

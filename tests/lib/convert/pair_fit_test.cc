@@ -2,8 +2,8 @@
 // A pair fitted together against the two separate fits: what stereo feels is computed here without our rectification.
 #include "known_cameras.h"
 
-#include <fca/convert/domain.h>
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/convert/pair_fit.h>
 #include <fca/rig/rotation.h>
 
@@ -150,8 +150,8 @@ TEST(PairFit, LowersWhatStereoFeels) {
     EXPECT_LT(epipolar_rms(pair, together->conversions), 0.9 * epipolar_rms(pair, before(fits))) << model;
     // The weight of rows limits what pixels may pay: a sum of squares, of which rows count nine times.
     for (std::size_t i = 0; i < 2; ++i) {
-      const double rms = together->conversions.at(i).report.judgement.error.rms;
-      const double alone = fits.at(i).conversion.report.judgement.error.rms;
+      const double rms = together->conversions.at(i).report.statistics.error.rms;
+      const double alone = fits.at(i).conversion.report.statistics.error.rms;
       const double rows = together->before.rms_px();
       EXPECT_GE(rms, (1.0 - 1e-3) * alone) << model;
       EXPECT_LT(rms * rms, alone * alone + 18.0 * rows * rows) << model;
@@ -183,7 +183,7 @@ TEST(PairFit, TurnsWhereLensesAreTilted) {
         ++count;
       }
     }
-    EXPECT_NEAR(conversion.report.judgement.error.rms, std::sqrt(sum / count), 0.02 * std::sqrt(sum / count));
+    EXPECT_NEAR(conversion.report.statistics.error.rms, std::sqrt(sum / count), 0.02 * std::sqrt(sum / count));
   }
 }
 
@@ -192,8 +192,9 @@ double sum_of(const Pair& pair, const std::array<CameraModel, 2>& models) {
   double sum = 0.0;
   for (std::size_t i = 0; i < 2; ++i) {
     Diagnostics diagnostics;
-    const Domain domain = domain_of(pair.cameras.at(i), kWide, diagnostics).value();
-    const double rms = judge(pair.cameras.at(i).model, models.at(i), domain, {.every_pixel = true, .bound = false}).error.rms;
+    const FieldOfView field_of_view = field_of_view_of(pair.cameras.at(i), kWide, diagnostics).value();
+    const double rms =
+        evaluate(pair.cameras.at(i).model, models.at(i), field_of_view, {.every_pixel = true, .bound = false}).error.rms;
     sum += rms * rms;
   }
   const PairError error =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Does a fit find the deepest basin, whatever the lens? Seeded random cameras: a few in every run, 1,000 where
+// Does a fit find the lowest minimum, whatever the lens? Seeded random cameras: a few in every run, 1,000 where
 // FCA_ALL_RANDOM_CAMERAS is set (tests/bench/run).
 #include "known_cameras.h"
 #include "random_lens.h"
@@ -10,7 +10,7 @@
 #include <convert/fitting/fitter.h>
 #include <convert/fitting/jet_target.h>
 #include <fca/convert/convert.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/convert/sample.h>
 
 #include <gtest/gtest.h>
@@ -42,9 +42,9 @@ struct Sampled {
 /// The samples that a conversion would begin with; none where the camera sees too little of its image.
 Sampled samples_of(const Camera& camera) {
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  if (!domain) return {};
-  return {sample(camera.model, *domain), {central_focal_lengths(camera.model), principal_point(camera.model)}};
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  if (!field_of_view) return {};
+  return {sample(camera.model, *field_of_view), {central_focal_lengths(camera.model), principal_point(camera.model)}};
 }
 
 double largest_distance(const CameraModel& model, const std::vector<Correspondence>& samples) {
@@ -208,38 +208,39 @@ TEST(RandomCameras, NoFitIsWorseThanTwentyStarts) {
   std::printf("  %d cameras, %d fits compared\n", count, compared);
 }
 
-/// Over every pixel of the domain; infinite where one is out of the model's reach.
-double rms_over_pixels(const Camera& camera, const CameraModel& model, const Domain& domain) {
-  const internal::Scorer scorer(camera.model, &model, nullptr, domain, std::numbers::pi);
-  const Judgement judgement = internal::score_every_pixel(scorer).judgement;
-  return judgement.coverage.unrepresentable > 0.0 ? std::numeric_limits<double>::infinity() : judgement.error.rms;
+/// Over every pixel of the field of view; infinite where one is out of the model's reach.
+double rms_over_pixels(const Camera& camera, const CameraModel& model, const FieldOfView& field_of_view) {
+  const internal::Scorer scorer(camera.model, &model, nullptr, field_of_view, std::numbers::pi);
+  const ErrorStatistics statistics = internal::score_every_pixel(scorer).statistics;
+  return statistics.coverage.unrepresentable > 0.0 ? std::numeric_limits<double>::infinity() : statistics.error.rms;
 }
 
-/// The domain's pixels: in blocks of 4 x 4 one place for all, next to the image's border and the lens's edge each of them.
-std::vector<Correspondence> dense_lattice(const CameraModel& source, const Domain& domain) {
+/// The field of view's pixels: in blocks of 4 x 4 one place for all, next to the image's border and the lens's edge each of
+/// them.
+std::vector<Correspondence> dense_lattice(const CameraModel& source, const FieldOfView& field_of_view) {
   constexpr int kBlock = 4;
   const Lens lens(source);
   std::vector<Correspondence> lattice;
   const auto add = [&](double u, double v, double weight) {
-    if (const std::optional<Ray> ray = domain.ray(lens, {u, v})) lattice.push_back({*ray, {u, v}, weight});
+    if (const std::optional<Ray> ray = field_of_view.ray(lens, {u, v})) lattice.push_back({*ray, {u, v}, weight});
   };
   const auto smooth = [&](int u, int v) {
     for (const int y : {v - kBlock, v + 2 * kBlock}) {
       for (const int x : {u - kBlock, u + 2 * kBlock}) {
-        const bool in_image = x >= 0 && y >= 0 && x < domain.size.width && y < domain.size.height;
-        if (!in_image || !domain.ray(lens, {1.0 * x, 1.0 * y})) return false;
+        const bool in_image = x >= 0 && y >= 0 && x < field_of_view.size.width && y < field_of_view.size.height;
+        if (!in_image || !field_of_view.ray(lens, {1.0 * x, 1.0 * y})) return false;
       }
     }
     return true;
   };
-  for (int v = 0; v < domain.size.height; v += kBlock) {
-    for (int u = 0; u < domain.size.width; u += kBlock) {
+  for (int v = 0; v < field_of_view.size.height; v += kBlock) {
+    for (int u = 0; u < field_of_view.size.width; u += kBlock) {
       if (smooth(u, v)) {
         add(u + 0.5 * (kBlock - 1), v + 0.5 * (kBlock - 1), kBlock * kBlock);
         continue;
       }
-      for (int y = v; y < std::min(v + kBlock, domain.size.height); ++y) {
-        for (int x = u; x < std::min(u + kBlock, domain.size.width); ++x) add(x, y, 1.0);
+      for (int y = v; y < std::min(v + kBlock, field_of_view.size.height); ++y) {
+        for (int x = u; x < std::min(u + kBlock, field_of_view.size.width); ++x) add(x, y, 1.0);
       }
     }
   }
@@ -251,16 +252,16 @@ std::vector<Correspondence> dense_lattice(const CameraModel& source, const Domai
 
 /// The best of 20 starts, fitted once more to the dense lattice.
 template <CameraModelType M>
-double reference_over_pixels(const Camera& camera, const Domain& domain, Random& random) {
+double reference_over_pixels(const Camera& camera, const FieldOfView& field_of_view, Random& random) {
   const Sampled sampled = samples_of(camera);
   const Reference<M> reference = reference_fit<M>(sampled, random);
-  double best = rms_over_pixels(camera, reference.model, domain);
-  const auto finer = internal::fit_from(reference.model, dense_lattice(camera.model, domain), {});
-  if (finer) best = std::min(best, rms_over_pixels(camera, finer->model, domain));
+  double best = rms_over_pixels(camera, reference.model, field_of_view);
+  const auto finer = internal::fit_from(reference.model, dense_lattice(camera.model, field_of_view), {});
+  if (finer) best = std::min(best, rms_over_pixels(camera, finer->model, field_of_view));
   return std::isfinite(reference.rms_px) ? best : reference.rms_px;
 }
 
-/// One conversion, judged by every pixel, beside its reference.
+/// One conversion, evaluated by every pixel, beside its reference.
 template <CameraModelType M>
 bool expect_no_worse_over_pixels(const Camera& camera, Random& random) {
   ConvertOptions options;
@@ -268,23 +269,23 @@ bool expect_no_worse_over_pixels(const Camera& camera, Random& random) {
   options.bound = false;
   options.every_pixel = true;
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
   const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
-  if (!domain || !conversion) return false;
-  const double reference = reference_over_pixels<M>(camera, *domain, random);
+  if (!field_of_view || !conversion) return false;
+  const double reference = reference_over_pixels<M>(camera, *field_of_view, random);
   // Nobody sees it. What was fitted to a cone leaves out the worst pixels.
   constexpr double kNobodySees = 1e-4;
-  const double rms = conversion->report.judgement.error.rms;
+  const double rms = conversion->report.statistics.error.rms;
   EXPECT_LE(rms, 1.02 * reference + kNobodySees)
       << model_info(camera.model).id << " "
       << ::testing::PrintToString(
              std::vector<double>(parameter_values(camera.model).begin(), parameter_values(camera.model).end()))
       << " -> " << M::kId << ", scored to " << conversion->report.scored_to_deg << " of "
-      << domain->max_angle_rad / test::kRadians << " deg";
+      << field_of_view->max_angle_rad / test::kRadians << " deg";
   return std::isfinite(reference);
 }
 
-// The samples of a fit may hide what the image shows: here every pixel judges, and the reference is the best over the image.
+// The samples of a fit may hide what the image shows: here every pixel counts, and the reference is the best over the image.
 TEST(RandomCameras, NoConversionIsWorseOverTheImage) {
   Random random(24);
   const int count = how_many(10);
@@ -317,7 +318,7 @@ TEST(RandomCameras, RationalOfHardLensesOverTheImage) {
   }
 }
 
-// Of the 1,000 those that taught the fit something: two bottoms between two of mei's shapes, one at the largest xi that can be;
+// Of the 1,000 those that taught the fit something: two minima between two of mei's shapes, one at the largest xi that can be;
 // a start of rational's that looks hopeless and is not; a fold inside the lens.
 TEST(RandomCameras, HardOnes) {
   Random random(22);
@@ -355,7 +356,7 @@ TEST(RandomCameras, ConversionsHoldTogether) {
       }
       ++conversions;
       EXPECT_TRUE(validate(conversion->camera.model).empty());
-      const auto& [coverage, error] = std::tie(conversion->report.judgement.coverage, conversion->report.judgement.error);
+      const auto& [coverage, error] = std::tie(conversion->report.statistics.coverage, conversion->report.statistics.error);
       EXPECT_NEAR(coverage.scored + coverage.outside_lens + coverage.unrepresentable, 1.0, 1e-9);
       for (const double number : {error.rms, error.mean, error.p50, error.p95, error.p99, error.max})
         EXPECT_TRUE(number >= 0.0 && std::isfinite(number)) << target.id;

@@ -4,7 +4,7 @@
 
 #include "known_cameras.h"
 
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 
 #include <optional>
 #include <random>
@@ -45,9 +45,9 @@ inline Camera wide_camera(Random& random) {
     };
     const Camera camera = make_camera(model(), {640, 480});
     Diagnostics diagnostics;
-    const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-    if (!domain) continue;
-    const double angle_deg = domain->max_angle_rad / kRadians;
+    const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+    if (!field_of_view) continue;
+    const double angle_deg = field_of_view->max_angle_rad / kRadians;
     if (angle_deg > 69.0 && angle_deg < 89.5) return camera;
   }
 }

@@ -10,15 +10,15 @@
 namespace fca {
 namespace {
 
-/// Mean of f over the domain's pixels.
+/// Mean of f over the field of view's pixels.
 template <class F>
-double mean_over_pixels(const CameraModel& source, const Domain& domain, F&& f) {
+double mean_over_pixels(const CameraModel& source, const FieldOfView& field_of_view, F&& f) {
   double sum = 0.0;
   double count = 0.0;
-  for (int y = 0; y < domain.size.height; ++y) {
-    for (int x = 0; x < domain.size.width; ++x) {
+  for (int y = 0; y < field_of_view.size.height; ++y) {
+    for (int x = 0; x < field_of_view.size.width; ++x) {
       const Pixel pixel = {static_cast<double>(x), static_cast<double>(y)};
-      const std::optional<Ray> ray = domain.ray(source, pixel);
+      const std::optional<Ray> ray = field_of_view.ray(source, pixel);
       if (!ray) continue;
       sum += f(pixel, *ray);
       count += 1.0;
@@ -27,7 +27,7 @@ double mean_over_pixels(const CameraModel& source, const Domain& domain, F&& f) 
   return sum / count;
 }
 
-TEST(Sample, WeightedSumsAreMeansOverTheDomain) {
+TEST(Sample, WeightedSumsAreMeansOverTheFieldOfView) {
   struct Case {
     Camera camera;
     std::optional<double> max_angle_deg;
@@ -37,9 +37,9 @@ TEST(Sample, WeightedSumsAreMeansOverTheDomain) {
     Diagnostics diagnostics;
     std::optional<double> limit;
     if (c.max_angle_deg) limit = *c.max_angle_deg * test::kRadians;
-    const std::optional<Domain> domain = domain_of(c.camera, limit, diagnostics);
-    ASSERT_TRUE(domain);
-    const std::vector<Correspondence> samples = sample(c.camera.model, *domain, 200);
+    const std::optional<FieldOfView> field_of_view = field_of_view_of(c.camera, limit, diagnostics);
+    ASSERT_TRUE(field_of_view);
+    const std::vector<Correspondence> samples = sample(c.camera.model, *field_of_view, 200);
     EXPECT_GE(samples.size(), 150u);
     EXPECT_LE(samples.size(), 450u);
     double total = 0.0;
@@ -51,7 +51,7 @@ TEST(Sample, WeightedSumsAreMeansOverTheDomain) {
     };
     double by_samples = 0.0;
     for (const Correspondence& s : samples) by_samples += s.weight * rim_heavy(s.pixel, s.ray);
-    const double by_pixels = mean_over_pixels(c.camera.model, *domain, rim_heavy);
+    const double by_pixels = mean_over_pixels(c.camera.model, *field_of_view, rim_heavy);
     EXPECT_NEAR(by_samples, by_pixels, 0.01 * by_pixels);
   }
 }
@@ -61,16 +61,17 @@ TEST(Sample, WeightedSumsAreMeansOverTheDomain) {
 TEST(Sample, CornerPixelsCountAsWholePixels) {
   Diagnostics diagnostics;
   const Camera camera = test::kalibr_ds();
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  ASSERT_TRUE(domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  ASSERT_TRUE(field_of_view);
   const auto corner_heavy = [&](const Pixel& pixel, const Ray& /*ray*/) {
-    const double u = 2.0 * pixel[0] / (domain->size.width - 1.0) - 1.0;
-    const double v = 2.0 * pixel[1] / (domain->size.height - 1.0) - 1.0;
+    const double u = 2.0 * pixel[0] / (field_of_view->size.width - 1.0) - 1.0;
+    const double v = 2.0 * pixel[1] / (field_of_view->size.height - 1.0) - 1.0;
     return std::pow(u * v, 24);
   };
   double by_samples = 0.0;
-  for (const Correspondence& s : sample(camera.model, *domain, 400)) by_samples += s.weight * corner_heavy(s.pixel, s.ray);
-  const double by_pixels = mean_over_pixels(camera.model, *domain, corner_heavy);
+  for (const Correspondence& s : sample(camera.model, *field_of_view, 400))
+    by_samples += s.weight * corner_heavy(s.pixel, s.ray);
+  const double by_pixels = mean_over_pixels(camera.model, *field_of_view, corner_heavy);
   EXPECT_NEAR(by_samples, by_pixels, 1e-9 * by_pixels);
 }
 
@@ -79,15 +80,15 @@ TEST(Sample, TheEdgeOfALensThatEndsIsSeen) {
   Diagnostics diagnostics;
   const Camera camera = test::make_camera(
       Intrinsics<Ds>{{133.5677629, 135.2386744, 342.1421672, 264.3405367, 0.7025675221, -0.5568606152}}, {640, 480});
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  ASSERT_TRUE(domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  ASSERT_TRUE(field_of_view);
   // The squared residual of a model that fails in the last two degrees.
   const auto edge_heavy = [&](const Pixel& /*pixel*/, const Ray& ray) {
     return std::exp(angle_from_axis(ray) / test::kRadians - 84.0);
   };
   double by_samples = 0.0;
-  for (const Correspondence& s : sample(camera.model, *domain)) by_samples += s.weight * edge_heavy(s.pixel, s.ray);
-  const double by_pixels = mean_over_pixels(camera.model, *domain, edge_heavy);
+  for (const Correspondence& s : sample(camera.model, *field_of_view)) by_samples += s.weight * edge_heavy(s.pixel, s.ray);
+  const double by_pixels = mean_over_pixels(camera.model, *field_of_view, edge_heavy);
   // Which pixels' centres lie in that tenth is chance.
   EXPECT_NEAR(by_samples, by_pixels, 0.05 * by_pixels);
 }
@@ -96,9 +97,9 @@ TEST(Sample, NoMorePlacesThanPixels) {
   for (const ImageSize size : {ImageSize{1, 1}, ImageSize{2, 1}, ImageSize{3, 2}}) {
     Diagnostics diagnostics;
     const Camera camera = test::make_camera(Intrinsics<Pinhole>{{100.0, 100.0, 0.0, 0.0}}, size);
-    const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-    ASSERT_TRUE(domain);
-    const std::vector<Correspondence> samples = sample(camera.model, *domain);
+    const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+    ASSERT_TRUE(field_of_view);
+    const std::vector<Correspondence> samples = sample(camera.model, *field_of_view);
     ASSERT_EQ(samples.size(), static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
     for (const Correspondence& s : samples) {
       for (const double coordinate : s.pixel) EXPECT_NEAR(coordinate, std::round(coordinate), 1e-12);
@@ -110,15 +111,15 @@ TEST(Sample, NoMorePlacesThanPixels) {
 TEST(Sample, RaysAreThoseOfThePixels) {
   Diagnostics diagnostics;
   const Camera camera = test::lens_220();
-  const std::optional<Domain> domain = domain_of(camera, 110.0 * test::kRadians, diagnostics);
-  ASSERT_TRUE(domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, 110.0 * test::kRadians, diagnostics);
+  ASSERT_TRUE(field_of_view);
   bool behind = false;
-  for (const Correspondence& s : sample(camera.model, *domain)) {
+  for (const Correspondence& s : sample(camera.model, *field_of_view)) {
     const std::optional<Pixel> pixel = project(camera.model, s.ray);
     ASSERT_TRUE(pixel);
     EXPECT_NEAR((*pixel)[0], s.pixel[0], 1e-9);
     EXPECT_NEAR((*pixel)[1], s.pixel[1], 1e-9);
-    EXPECT_LE(angle_from_axis(s.ray), domain->max_angle_rad);
+    EXPECT_LE(angle_from_axis(s.ray), field_of_view->max_angle_rad);
     behind = behind || s.ray[2] < 0.0;
   }
   EXPECT_TRUE(behind);

@@ -58,10 +58,10 @@ TEST(TableConversion, FindsTheModelThatTheTableWasMadeWith) {
     Diagnostics diagnostics;
     const std::optional<Conversion> conversion = convert(as_table(each.camera, each.max_angle_deg), to(id), diagnostics);
     ASSERT_TRUE(conversion) << id;
-    EXPECT_LE(conversion->report.judgement.error.max, 1e-5) << id;
+    EXPECT_LE(conversion->report.statistics.error.max, 1e-5) << id;
     EXPECT_EQ(conversion->report.from_model, "rays");
     EXPECT_FALSE(conversion->report.exact);
-    EXPECT_TRUE(std::isinf(conversion->report.judgement.error.bound)) << "between rays nothing is known";
+    EXPECT_TRUE(std::isinf(conversion->report.statistics.error.bound)) << "between rays nothing is known";
     EXPECT_TRUE(conversion->camera.rays.empty());
     EXPECT_TRUE(has(diagnostics, Code::kOnlyRaysCompared));
   }
@@ -80,22 +80,23 @@ TEST(TableConversion, IsAtLeastAsGoodOnTheTableAsTheConversionOfTheCamera) {
       const std::optional<Conversion> by_model = convert(each.camera, options, diagnostics);
       ASSERT_TRUE(by_table && by_model) << model;
       const CameraModel& other = by_model->camera.model;
-      const ErrorSummary rival = judge(table.rays, [&other](const Ray& ray) { return project(other, ray); });
-      EXPECT_LE(by_table->report.judgement.error.rms, 1.0005 * rival.rms + 1e-6) << model;
-      EXPECT_NEAR(by_table->report.judgement.coverage.scored + by_table->report.judgement.coverage.unrepresentable, 1.0, 1e-9);
+      const ErrorSummary rival = evaluate(table.rays, [&other](const Ray& ray) { return project(other, ray); });
+      EXPECT_LE(by_table->report.statistics.error.rms, 1.0005 * rival.rms + 1e-6) << model;
+      EXPECT_NEAR(by_table->report.statistics.coverage.scored + by_table->report.statistics.coverage.unrepresentable, 1.0,
+                  1e-9);
     }
   }
 }
 
-TEST(TableConversion, WhatSeesAheadOnlyIsFittedToAConeWithAWarning) {
+TEST(TableConversion, APerspectiveModelIsFittedUpToASmallerAngleWithAWarning) {
   const Camera table = as_table(test::lens_220(), 110.0, 60);
   Diagnostics diagnostics;
   const std::optional<Conversion> conversion = convert(table, to("radtan"), diagnostics);
   ASSERT_TRUE(conversion);
-  EXPECT_TRUE(conversion->report.fitted_to_cone);
+  EXPECT_TRUE(conversion->report.angle_reduced);
   EXPECT_TRUE(has(diagnostics, Code::kTargetCannotReach));
-  EXPECT_LE(conversion->report.judgement.error.rms, 1.0);
-  EXPECT_GT(conversion->report.judgement.coverage.unrepresentable, 0.1);
+  EXPECT_LE(conversion->report.statistics.error.rms, 1.0);
+  EXPECT_GT(conversion->report.statistics.coverage.unrepresentable, 0.1);
 }
 
 TEST(TableConversion, CountsWhatLiesInTheImageAndInsideTheAngle) {
@@ -110,7 +111,7 @@ TEST(TableConversion, CountsWhatLiesInTheImageAndInsideTheAngle) {
   Diagnostics diagnostics;
   const std::optional<Conversion> conversion = convert(table, options, diagnostics);
   ASSERT_TRUE(conversion);
-  EXPECT_LE(conversion->report.judgement.error.max, 1e-5);
+  EXPECT_LE(conversion->report.statistics.error.max, 1e-5);
   EXPECT_LE(conversion->report.scored_to_deg, 40.0);
 }
 

@@ -4,7 +4,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/convert.h>
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/convert/sample.h>
 #include <fca/rig/rotation.h>
 
@@ -32,9 +32,9 @@ Transform turn_by(double x, double y, double z) {
 /// The camera as a table of rays that another frame sees.
 Camera table_of(const Camera& camera, const Transform& T_frame_camera) {
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, 85.0 * test::kRadians, diagnostics);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, 85.0 * test::kRadians, diagnostics);
   Camera table = camera;
-  table.rays = sample(camera.model, *domain, 600);
+  table.rays = sample(camera.model, *field_of_view, 600);
   for (Correspondence& entry : table.rays) entry.ray = rotated(T_frame_camera, entry.ray);
   table.model = Intrinsics<Pinhole>{{300, 300, principal_point(camera.model)[0], principal_point(camera.model)[1]}};
   return table;
@@ -81,7 +81,7 @@ TEST(Turn, OfAKnownLensIsFound) {
     const double off = angle_between(rest, Transform());
     EXPECT_LT(off, std::string(target) == "kb4" ? 1e-6 : 1e-3) << target;
     if (std::string(target) == "kb4") {
-      EXPECT_LT(found->report.judgement.error.rms, 1e-6);
+      EXPECT_LT(found->report.statistics.error.rms, 1e-6);
     }
   }
 }
@@ -95,7 +95,7 @@ TEST(Turn, IsTheBestOne) {
       const Camera table = table_of(lens, Transform());
       const std::optional<Conversion> found = convert(table, turned_to(target), diagnostics);
       ASSERT_TRUE(found && found->report.turn);
-      const double rms = found->report.judgement.error.rms;
+      const double rms = found->report.statistics.error.rms;
       EXPECT_LT(rms, found->report.turn->rms_before_px);
       // Fits to rays that are turned by a little more, or less, are worse.
       for (int axis = 0; axis < 3; ++axis) {
@@ -106,7 +106,7 @@ TEST(Turn, IsTheBestOne) {
           const Camera turned = table_of(lens, beside * found->report.turn->T_target_source);
           const std::optional<Conversion> other = convert(turned, straight, diagnostics);
           ASSERT_TRUE(other);
-          EXPECT_GT(other->report.judgement.error.rms, rms * (1.0 - 1e-4)) << axis << " " << side;
+          EXPECT_GT(other->report.statistics.error.rms, rms * (1.0 - 1e-4)) << axis << " " << side;
         }
       }
     }
@@ -133,7 +133,7 @@ TEST(Turn, IsWhatTheReportSaysOverTheImage) {
           ++count;
         }
       }
-      EXPECT_NEAR(found->report.judgement.error.rms, std::sqrt(squares / count), 0.01 * std::sqrt(squares / count));
+      EXPECT_NEAR(found->report.statistics.error.rms, std::sqrt(squares / count), 0.01 * std::sqrt(squares / count));
       EXPECT_LT(rotation_defect(found->report.turn->T_target_source), 1e-12);
     }
   }
@@ -150,14 +150,14 @@ TEST(Turn, IsOfferedForWhatItGains) {
       const std::optional<Conversion> before = convert(lens, straight, diagnostics);
       const std::optional<Conversion> after = convert(lens, turned_to(target), diagnostics);
       ASSERT_TRUE(before && after);
-      const double gain = after->report.judgement.error.rms / before->report.judgement.error.rms;
+      const double gain = after->report.statistics.error.rms / before->report.statistics.error.rms;
       if (before->report.turn_offer) {
         ++offers;
-        EXPECT_NEAR(before->report.turn_offer->rms_px, after->report.judgement.error.rms,
-                    0.1 * before->report.judgement.error.rms);
+        EXPECT_NEAR(before->report.turn_offer->rms_px, after->report.statistics.error.rms,
+                    0.1 * before->report.statistics.error.rms);
       } else {
         constexpr double kVisible = 0.02;  // px
-        EXPECT_TRUE(gain > 0.7 || before->report.judgement.error.rms < kVisible) << gain;
+        EXPECT_TRUE(gain > 0.7 || before->report.statistics.error.rms < kVisible) << gain;
       }
     }
   }

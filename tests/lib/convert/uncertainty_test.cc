@@ -241,9 +241,9 @@ TEST(Uncertainty, OfAKeptModelIsItsOwn) {
   const Camera camera = test::tumvi();
   const Uncertainty uncertainty = calibrated(camera, 0.5);
   Diagnostics diagnostics;
-  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
-  ASSERT_TRUE(domain);
-  const std::optional<Uncertainty> same = uncertainty_of_fit(camera.model, uncertainty, camera.model, {}, *domain);
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, {}, diagnostics);
+  ASSERT_TRUE(field_of_view);
+  const std::optional<Uncertainty> same = uncertainty_of_fit(camera.model, uncertainty, camera.model, {}, *field_of_view);
   ASSERT_TRUE(same);
   for (std::size_t i = 0; i < same->sigmas.size(); ++i) {
     if (parameter_values(camera.model)[i] == 0.0) continue;
@@ -323,7 +323,7 @@ TEST(Uncertainty, FollowsTheImagesSize) {
   }
 }
 
-// A map of every pixel is the judge of the summary.
+// A map of every pixel checks the summary.
 TEST(Uncertainty, WorstPixelIsTheWorstOfAllPixels) {
   const Camera camera = test::euroc();
   const Uncertainty uncertainty = calibrated(camera, 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Weights of a fit. Judged on a grid of pixels, each by the spherical area between the rays of its corners, and by a
+// Weights of a fit. Evaluated on a grid of pixels, each by the spherical area between the rays of its corners, and by a
 // minimisation that knows nothing of the library's.
 #include "known_cameras.h"
 
@@ -111,7 +111,7 @@ TEST(Weight, EachFitIsTheBestByItsOwn) {
       ASSERT_TRUE(by_pixel && by_angle);
       EXPECT_FALSE(by_pixel->report.weighted);
       ASSERT_TRUE(by_angle->report.weighted);
-      if (by_pixel->report.exact || by_pixel->report.fitted_to_cone || by_angle->report.fitted_to_cone) continue;
+      if (by_pixel->report.exact || by_pixel->report.angle_reduced || by_angle->report.angle_reduced) continue;
       // Of another degree another polynomial is the best.
       if (by_pixel->report.degree != by_angle->report.degree) continue;
       const std::vector<GridPoint> pixels = grid_of(camera, 75.0, WeightKind::kPixel);
@@ -122,8 +122,8 @@ TEST(Weight, EachFitIsTheBestByItsOwn) {
       EXPECT_LE(angle_of_angle, kAlike * angle_of_pixel + kNobodySees);
       EXPECT_LE(rms_on(pixels, by_pixel->camera.model), kAlike * rms_on(pixels, by_angle->camera.model) + kNobodySees);
       EXPECT_NEAR(by_angle->report.weighted->rms_px, angle_of_angle, 0.02 * angle_of_angle + kNobodySees);
-      EXPECT_NEAR(by_angle->report.judgement.error.rms, rms_on(pixels, by_angle->camera.model),
-                  0.02 * by_angle->report.judgement.error.rms + kNobodySees);
+      EXPECT_NEAR(by_angle->report.statistics.error.rms, rms_on(pixels, by_angle->camera.model),
+                  0.02 * by_angle->report.statistics.error.rms + kNobodySees);
       differ += angle_of_angle < 0.98 * angle_of_pixel ? 1 : 0;
     }
   }
@@ -204,8 +204,8 @@ TEST(Weight, AnImageOfOneGreyIsTheFitOfPixels) {
       ASSERT_TRUE(plain && grey);
       EXPECT_EQ(plain->camera.model, grey->camera.model);
       ASSERT_TRUE(grey->report.weighted);
-      EXPECT_EQ(grey->report.weighted->rms_px, plain->report.judgement.error.rms);
-      EXPECT_EQ(grey->report.judgement.error.rms, plain->report.judgement.error.rms);
+      EXPECT_EQ(grey->report.weighted->rms_px, plain->report.statistics.error.rms);
+      EXPECT_EQ(grey->report.statistics.error.rms, plain->report.statistics.error.rms);
     }
   }
 }
@@ -228,7 +228,7 @@ TEST(Weight, WhatIsWhiteGetsBetter) {
       const double after = rms_on(white, weighted->camera.model);
       EXPECT_LT(after, 0.95 * before);
       EXPECT_NEAR(weighted->report.weighted->rms_px, after, 0.03 * after + 1e-5);
-      EXPECT_GT(weighted->report.judgement.error.rms, plain->report.judgement.error.rms);
+      EXPECT_GT(weighted->report.statistics.error.rms, plain->report.statistics.error.rms);
       // Nearly what a minimisation over the white pixels alone finds.
       CameraModel found = weighted->camera.model;
       const Eigen::VectorXd best = minimised(white, found);

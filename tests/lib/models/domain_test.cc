@@ -256,9 +256,9 @@ TEST(Domain, RadiusGrowsInsideAndNothingIsOutside) {
       for (const double azimuth : some_azimuths()) {
         for (const double angle : angles_up_to(end - 1e-6)) {
           if (angle == 0.0) continue;
-          const auto lens = radius_and_slope<M>(camera.p(), angle, azimuth);
+          const auto lens = radius_and_derivative<M>(camera.p(), angle, azimuth);
           ASSERT_TRUE(lens) << angle;
-          EXPECT_GT(lens->slope, 0.0) << angle << ' ' << azimuth;
+          EXPECT_GT(lens->derivative, 0.0) << angle << ' ' << azimuth;
         }
         for (double angle = end + 1e-6; angle < std::numbers::pi; angle += 0.01) {
           Pixel pixel;

@@ -61,7 +61,7 @@ TEST(Jacobian, AgreesWithDifferences) {
             const auto expected = difference<M>(inputs, i);
             if (!expected) continue;  // a step out of the domain or off the parameter's range
             ++compared;
-            // Relative 1e-6, and what the rounding of the pixels makes of the difference.
+            // Relative 1e-6, and what the rounding of the pixels adds to the difference.
             const double rounding = 1e-15 * std::hypot(pixel[0].a, pixel[1].a) / step_of(inputs[i]);
             const double tolerance = 1e-6 * std::hypot((*expected)[0], (*expected)[1]) + 4.0 * rounding;
             EXPECT_NEAR(pixel[0].v[index], (*expected)[0], tolerance);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of the models share: the cameras of testdata/models, rays on a cone, and a model's slope dr/dangle.
+// What the tests of the models share: the cameras of testdata/models, rays on a cone, and a model's derivative dr/dangle.
 #pragma once
 
 #include <fca/models/camera_model.h>
@@ -115,13 +115,13 @@ inline double angle_between(const Ray& a, const Ray& b) {
 
 /// Image radius on the normalised plane (distance from the principal point over the central focal lengths), and its derivative
 /// by the angle [1 / rad].
-struct RadiusAndSlope {
+struct RadiusAndDerivative {
   double radius;
-  double slope;
+  double derivative;
 };
 
 template <CameraModelType M>
-std::optional<RadiusAndSlope> radius_and_slope(const double* p, double angle, double azimuth) {
+std::optional<RadiusAndDerivative> radius_and_derivative(const double* p, double angle, double azimuth) {
   using Jet = ceres::Jet<double, 1>;
   std::array<Jet, kParameterCount<M>> parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) parameters[i] = Jet(p[i]);
@@ -133,7 +133,7 @@ std::optional<RadiusAndSlope> radius_and_slope(const double* p, double angle, do
   const Jet mx = (pixel[0] - centre[0]) / focal[0];
   const Jet my = (pixel[1] - centre[1]) / focal[1];
   const Jet radius = ceres::sqrt(mx * mx + my * my);
-  return RadiusAndSlope{radius.a, radius.v[0]};
+  return RadiusAndDerivative{radius.a, radius.v[0]};
 }
 
 inline const std::vector<double>& some_azimuths() {

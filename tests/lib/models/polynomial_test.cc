@@ -134,9 +134,9 @@ TEST(Polynomial, NeverEndingStretches) {
 }
 
 TEST(InvertIncreasing, FindsTheValueFromAnyGuess) {
-  const auto cubic = [](double x, double& value, double& slope) {
+  const auto cubic = [](double x, double& value, double& derivative) {
     value = x + x * x * x;
-    slope = 1.0 + 3.0 * x * x;
+    derivative = 1.0 + 3.0 * x * x;
   };
   for (const double upper : {5.0, kInf}) {
     for (const double expected : {0.0, 1e-12, 0.1, 1.0, 4.999}) {
@@ -155,11 +155,11 @@ TEST(InvertIncreasing, FindsTheValueFromAnyGuess) {
   EXPECT_NEAR(x, 1e10, 1e-5);
 }
 
-// Where the slope ends at 0 the value is known to rounding, so the place to its square root.
-TEST(InvertIncreasing, ConvergesWhereTheSlopeEnds) {
-  const auto folding = [](double x, double& value, double& slope) {
+// Where the derivative ends at 0 the value is known to rounding, so the place to its square root.
+TEST(InvertIncreasing, ConvergesWhereTheDerivativeEnds) {
+  const auto folding = [](double x, double& value, double& derivative) {
     value = x - x * x * x / 3.0;
-    slope = 1.0 - x * x;
+    derivative = 1.0 - x * x;
   };
   for (const double distance : {1e-2, 1e-4, 1e-6, 1e-7}) {
     const double expected = 1.0 - distance;
@@ -172,17 +172,17 @@ TEST(InvertIncreasing, ConvergesWhereTheSlopeEnds) {
 // From this guess Newton's method goes back and forth between two places, each time a little nearer: for thousands of steps.
 TEST(InvertIncreasing, FindsTheValueWhereNewtonsMethodAlternates) {
   const std::array lens = {1.0, 0.036914, 0.0132654, 0.00651276, -0.00335524};  // a kb4's radius over the angle, by its square
-  const auto radius = [&](double angle, double& value, double& slope) {
+  const auto radius = [&](double angle, double& value, double& derivative) {
     const double t = angle * angle;
     value = angle * evaluate_polynomial(lens, t);
-    slope = evaluate_polynomial(std::array{1.0, 3.0 * lens[1], 5.0 * lens[2], 7.0 * lens[3], 9.0 * lens[4]}, t);
+    derivative = evaluate_polynomial(std::array{1.0, 3.0 * lens[1], 5.0 * lens[2], 7.0 * lens[3], 9.0 * lens[4]}, t);
   };
   const double wanted = 1.8218903378962639;
   double angle = wanted;
   ASSERT_TRUE(invert_increasing(radius, wanted, 1.8331, angle));
   double value = 0.0;
-  double slope = 0.0;
-  radius(angle, value, slope);
+  double derivative = 0.0;
+  radius(angle, value, derivative);
   EXPECT_NEAR(value, wanted, 1e-14);
 }
 

@@ -91,8 +91,8 @@ TEST(PrismDisc, NoPointInsideFolds) {
         double back[2];
         ASSERT_TRUE(Distortion::distort<true>(q.data(), point[0], point[1], image));
         ASSERT_TRUE(Distortion::undistort(q.data(), image, back)) << share << ' ' << azimuth;
-        const double slope = static_cast<double>(smaller_eigenvalue(q, share * edge, azimuth));
-        const double tolerance = 1e-12 * (1.0 + edge) / std::min(1.0, slope);
+        const double derivative = static_cast<double>(smaller_eigenvalue(q, share * edge, azimuth));
+        const double tolerance = 1e-12 * (1.0 + edge) / std::min(1.0, derivative);
         EXPECT_LE(std::hypot(back[0] - point[0], back[1] - point[1]), tolerance) << share << ' ' << azimuth;
       }
     }

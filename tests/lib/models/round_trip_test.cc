@@ -29,9 +29,10 @@ TEST(RoundTrip, PixelToRayToPixel) {
           // At the end of OCamCalib's domain the radius grows ever faster with the angle: the rounding of the ray shows.
           double tolerance = 1e-9;
           if (error > tolerance) {
-            const auto lens = radius_and_slope<M>(camera.p(), std::atan2(std::hypot(ray[0], ray[1]), ray[2]), 0.0);
+            const auto lens = radius_and_derivative<M>(camera.p(), std::atan2(std::hypot(ray[0], ray[1]), ray[2]), 0.0);
             ASSERT_TRUE(lens);
-            tolerance += 8.0 * std::numeric_limits<double>::epsilon() * M::central_focal_lengths(camera.p())[0] * lens->slope;
+            tolerance +=
+                8.0 * std::numeric_limits<double>::epsilon() * M::central_focal_lengths(camera.p())[0] * lens->derivative;
           }
           ASSERT_LE(error, tolerance) << pixel[0] << ' ' << pixel[1];
           worst = std::max(worst, error);
@@ -44,9 +45,9 @@ TEST(RoundTrip, PixelToRayToPixel) {
   });
 }
 
-// Every ray of the domain comes back parallel to itself within 1e-12 + 8 eps r / (dr/dangle) rad: r and its slope are measured
-// on the normalised plane; their ratio is in radians, so that the second term is the rounding of the pixel itself. The last
-// microradian before the domain's end is left out: there a rounded pixel may lie outside the image of the domain.
+// Every ray of the domain comes back parallel to itself within 1e-12 + 8 eps r / (dr/dangle) rad: r and its derivative are
+// measured on the normalised plane; their ratio is in radians, so that the second term is the rounding of the pixel itself. The
+// last microradian before the domain's end is left out: there a rounded pixel may lie outside the image of the domain.
 TEST(RoundTrip, RayToPixelToRay) {
   for_each_model([]<CameraModelType M>() {
     double worst_share = 0.0;
@@ -63,14 +64,14 @@ TEST(RoundTrip, RayToPixelToRay) {
             ASSERT_TRUE(M::project(camera.p(), ray.data(), pixel.data())) << angle << ' ' << azimuth;
             Ray back;
             ASSERT_TRUE(M::unproject(camera.p(), pixel.data(), back.data())) << angle << ' ' << azimuth;
-            const auto lens = radius_and_slope<M>(camera.p(), std::max(angle, 1e-6), azimuth);
+            const auto lens = radius_and_derivative<M>(camera.p(), std::max(angle, 1e-6), azimuth);
             ASSERT_TRUE(lens);
             const double tolerance =
-                1e-12 + 8.0 * std::numeric_limits<double>::epsilon() * lens->radius / std::abs(lens->slope);
+                1e-12 + 8.0 * std::numeric_limits<double>::epsilon() * lens->radius / std::abs(lens->derivative);
             const double error = angle_between(ray, back);
             EXPECT_LE(error, tolerance) << "angle " << angle << " azimuth " << azimuth << " length " << length;
             worst_share = std::max(worst_share, error / tolerance);
-            if (lens->radius < 10.0 * lens->slope) worst = std::max(worst, error);
+            if (lens->radius < 10.0 * lens->derivative) worst = std::max(worst, error);
             widest = std::max(widest, angle);
           }
         }

@@ -2,7 +2,7 @@
 // Which pose is wrong where poses contradict each other, why, and how gravely.
 #include <fca/code.h>
 #include <fca/rig/contradictions.h>
-#include <fca/rig/pose_slip.h>
+#include <fca/rig/pose_mistake.h>
 #include <fca/rig/rotation.h>
 
 #include <array>

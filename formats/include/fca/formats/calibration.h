@@ -65,7 +65,7 @@ struct NamedFile {
 /// widest first. Nothing of any other file, nor where anything else is wrong.
 [[nodiscard]] std::vector<ImageSize> offered_sizes(const Diagnostics& diagnostics);
 
-/// What `format.write` makes of the rig, and which of its poses that does not say (losses "pose-dropped").
+/// What `format.write` returns for the rig, and which of its poses that does not say (losses "pose-dropped").
 [[nodiscard]] std::optional<Written> write_calibration(const Format& format, const text::Document* base, const Rig& rig,
                                                        const WriteOptions& options, Diagnostics& diagnostics);
 

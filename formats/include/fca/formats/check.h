@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Is a calibration sane? What is wrong with it, what happens if it is used, how to mend it, and what could not be decided.
+// Is a calibration sane? What is wrong with it, what happens if it is used, how to fix it, and what could not be decided.
 #pragma once
 
 #include <fca/code.h>
@@ -27,12 +27,12 @@ struct Finding {
   Severity severity = Severity::kError;
   Message facts = {};
   SourceRange where = {};
-  std::optional<SpanEdit> mend = {};  ///< Where the mend is certain: another spelling of the same value.
+  std::optional<SpanEdit> edit = {};  ///< Where the fix is certain: another spelling of the same value.
   std::vector<Message> details = {};  ///< Clauses behind the sentence.
   Code kind = {};                     ///< Whose id it has, where that is not the sentence's.
   // In place of what the table says beside the sentence: that of another row, or a sentence that is one.
   Message outcome = {};  ///< What happens if the file is used as it is.
-  Message remedy = {};   ///< How to mend it.
+  Message remedy = {};   ///< How to fix it.
 };
 
 /// Whose id it has.
@@ -55,7 +55,7 @@ struct CheckReport {
   std::vector<Undecided> undecided;
   Readers readers;                   ///< Who reads the file.
   bool has_reader = true;            ///< False: its keys are none that a program of ours reads; another may.
-  std::optional<ProofResult> proof;  ///< What the program that it is for makes of it; none: no such program, or no camera.
+  std::optional<ProofResult> proof;  ///< What the program that it is for reads from it; none: no such program, or no camera.
   std::string mode;                  ///< Of that program, which the keys are for.
   Verdict verdict;                   ///< Whether to use the file with that program.
   std::vector<std::string> parts;    ///< Paths of the files that it names as parts of it and that are there.
@@ -86,9 +86,9 @@ struct CheckOptions {
 /// Are the noise densities that it has such as sensors have them, also inflated ones?
 [[nodiscard]] bool has_usual_noise(const Imu& imu);
 
-/// The file with every mend that is certain, also those that only show when others are made; nothing if there is none. Only
+/// The file with every fix that is certain, also those that only show when others are made; nothing if there is none. Only
 /// spellings change (a decimal point, quotes, a header), no value.
-[[nodiscard]] std::optional<text::Source> mended(const text::Source& source, const CheckOptions& options);
+[[nodiscard]] std::optional<text::Source> fixed_source(const text::Source& source, const CheckOptions& options);
 
 /// A row for every id that a finding may have, by id: what is wrong in general, and the consequence and the fix where a finding
 /// has nothing more exact to say.

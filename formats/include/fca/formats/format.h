@@ -82,7 +82,7 @@ struct Demand {
   std::string_view key;            ///< Part of the keys that are written for it (DefaultedValue): "Camera.RGB".
   bool Format::*of = nullptr;      ///< It is demanded only of what can hold this: an IMU's topic. Null: of everything.
   bool Format::*stated = nullptr;  ///< What can hold this states it. Null: only what demands the same does.
-  std::string_view of_model = {};  ///< It is demanded of this model only, and computed anew.
+  std::string_view of_model = {};  ///< It is demanded of this model only, and computed again.
   bool of_frame = false;           ///< It is a pose in Format::frame, which a format with that frame states.
 };
 
@@ -93,8 +93,8 @@ struct WriteOptions {
   std::optional<double> frame_rate_hz;
   std::optional<double> max_angle_rad;  ///< What counts as lens, from the axis; nothing: as far as the model goes.
   std::string
-      extension;      ///< Of the file to be written, with its point (".xml"), for formats with several syntaxes; may be empty.
-  bool anew = false;  ///< Compose a file though there is a base: of that only what tunes the program is taken over.
+      extension;  ///< Of the file to be written, with its point (".xml"), for formats with several syntaxes; may be empty.
+  bool rewrite = false;  ///< Compose a file though there is a base: of that only what tunes the program is taken over.
   /// Further files whose cameras are joined to the rig: only the base can be edited, their comments go.
   std::span<const text::Document> joined = {};
   /// The base's owner has a program for it: it stays in that program's layout, whatever the model.
@@ -223,7 +223,7 @@ struct Format {
   std::span<const std::string_view> of_the_images = {};
   /// Keys of own facts that were computed from the cameras and their poses, and are stale beside others.
   std::span<const std::string_view> of_the_lenses = {};
-  /// Keys of own facts that name cameras by their numbers (1: cam1): who names those anew counts these anew.
+  /// Keys of own facts that name cameras by their numbers (1: cam1): who renames those recounts these.
   std::span<const std::string_view> of_cameras = {};
   std::span<const StoredModel> models;
   const schema::Schema* table = nullptr;  ///< Which fact stands under which key; null where the format has no table yet.

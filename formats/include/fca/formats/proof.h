@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Asks the real programs (consumers/) what they make of bytes.
+// Asks the real programs (consumers/) what they read from bytes.
 #pragma once
 
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/pixel_distance.h>
 #include <fca/rig/rig.h>
@@ -20,10 +20,10 @@ namespace fca {
 
 struct ReadOptions;
 
-/// What the user says of a file, for a program that is started in a mode ("": it has none).
+/// What the user specifies about a file, for a program that is started in a mode ("": it has none).
 [[nodiscard]] consumers::LoadOptions load_options(const ReadOptions& reading, std::string mode = {});
 
-/// What one program makes of one camera.
+/// What one program reads of one camera.
 struct CameraProof {
   std::string name;   ///< The rig's.
   std::string model;  ///< What the program takes the lens for, in its own words.
@@ -36,7 +36,7 @@ struct CameraProof {
   CameraDistance distance = {};  ///< From the camera as it was calibrated; zeros without an image size.
 };
 
-/// What one program makes of a file that is to say `rig`.
+/// What one program reads from a file that is to contain `rig`.
 struct ProofResult {
   std::string program;
   bool loads = false;
@@ -91,7 +91,7 @@ void one_after_the_other(std::size_t count, const std::function<void(std::size_t
                                 const consumers::LoadOptions& options, const Rig& rig, std::span<const std::string> cameras,
                                 double max_angle_rad = std::numbers::pi, const ForEach& each_camera = one_after_the_other,
                                 std::span<const CalibratedCamera> calibrated = {});
-/// The same of what the program has made of the bytes.
+/// The same of what the program has read from the bytes.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, const consumers::ConsumerView& view, const Rig& rig,
                                 std::span<const std::string> cameras, double max_angle_rad, const ForEach& each_camera,
                                 std::span<const CalibratedCamera> calibrated);

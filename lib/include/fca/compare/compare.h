@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two rigs: pixels, angles, the best rotation between cameras, poses, IMUs and times; and which slip of the pen explains it.
+// Two rigs: pixels, angles, the best rotation between cameras, poses, IMUs and times; and which common mistake explains it.
 #pragma once
 
 #include <fca/compare/report.h>
@@ -16,7 +16,8 @@ struct CompareOptions {
   bool bound = true;                         ///< Prove ErrorSummary::bound.
   bool by_order = false;                     ///< Cameras are matched by their order, whatever their names.
   /// (0, pi]: the best rotation is sought, and the verdict made, from rays up to that angle from the reference's axis; the
-  /// errors over the whole domain are reported all the same (CameraComparison::focus). Nothing: from the whole domain.
+  /// errors over the whole field of view are reported all the same (CameraComparison::focus). Nothing: from the whole field of
+  /// view.
   std::optional<double> focus_rad = {};
   /// > 0: points are so far from the reference's projection centre, and a translation is sought with the best rotation
   /// (BestRotation). Nothing: points are infinitely far, and there is only a rotation.
@@ -24,10 +25,10 @@ struct CompareOptions {
 };
 
 /// How `other` differs from `reference`: a pixel of the reference, its ray by the reference, and the other's pixel of that ray,
-/// over the domain that a conversion of the reference would have: so compare(A, convert(A)) is the conversion's report. Images
-/// of another size with the same proportions are scaled (image_change.h); a size that only one states holds for both, and where
-/// none does, that of the image whose middle is the reference's principal point (CameraComparison::size_assumed). Errors: sizes
-/// of other proportions, parameters that are no camera, no pixel in common.
+/// over the field of view that a conversion of the reference would have: so compare(A, convert(A)) is the conversion's report.
+/// Images of another size with the same proportions are scaled (image_change.h); a size that only one states holds for both,
+/// and where none does, that of the image whose middle is the reference's principal point (CameraComparison::size_assumed).
+/// Errors: sizes of other proportions, parameters that are no camera, no pixel in common.
 [[nodiscard]] std::optional<CameraComparison> compare(const Camera& reference, const Camera& other,
                                                       const CompareOptions& options, Diagnostics& diagnostics);
 

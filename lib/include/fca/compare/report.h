@@ -16,12 +16,12 @@ namespace fca {
 /// No more than this many pixels apart, two cameras count as the same: less than a corner detector is off.
 inline constexpr double kSamePx = 0.25;
 
-/// A slip of the pen that explains a difference: with it undone the two agree, without they do not.
+/// A common mistake that explains a difference: with it undone the two agree, without they do not.
 struct Mistake {
   Message message;                       ///< {0}: what it is about, in the other's names: "cam0", "T_imu0_cam0".
   std::optional<std::size_t> pose = {};  ///< Which of the other's poses it is about.
 
-  /// The same slip, of whatever else.
+  /// The same mistake, of whatever else.
   [[nodiscard]] bool is_like(const Mistake& mistake) const;
 };
 
@@ -43,9 +43,10 @@ struct AngleSummary {
 
 /// How far two cameras are apart.
 struct CameraDifference {
-  Judgement judgement;  ///< The judge of conversions: pixel -> ray by the reference -> pixel by the other.
+  ErrorStatistics statistics;  ///< As of a conversion: pixel -> ray by the reference -> pixel by the other.
   AngleSummary angle;
-  /// No pixel up to that angle from the reference's axis is further off than kSamePx; the domain's angle where none is at all.
+  /// No pixel up to that angle from the reference's axis is further off than kSamePx; the field of view's angle where none is
+  /// at all.
   double same_to_deg = 0.0;
 };
 

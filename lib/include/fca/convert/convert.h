@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One camera as another model would describe it. Steps, each in its own file: domain -> sample -> fit -> judge.
+// One camera as another model would describe it. Steps, each in its own file: field of view -> sample -> fit -> evaluate.
 #pragma once
 
 #include <fca/convert/fit_weight.h>
@@ -24,15 +24,16 @@ struct ConvertOptions {
   FixedParameters fixed = {};
   bool absorb_turn = false;  ///< A turn of the camera is fitted, too (ConversionReport::turn); for Objective::kRms.
   Objective objective = Objective::kRms;
-  FitWeight weight = {};     ///< Of Objective::kRms: what counts how much in the sum of squares.
-  bool cone = true;          ///< What cannot describe the whole domain is fitted to a cone of it; else to nothing: an error.
+  FitWeight weight = {};  ///< Of Objective::kRms: what counts how much in the sum of squares.
+  /// What cannot describe the whole field of view is fitted up to a smaller angle; false: not at all, an error.
+  bool reduce_angle = true;
   bool every_pixel = false;  ///< The report counts each pixel instead of a lattice.
   bool bound = true;         ///< The report proves ErrorSummary::bound.
   /// False: the report of a camera that keeps its model may hold the coverage alone, without errors, which are 0 but for
   /// rounding.
   bool errors_of_kept = true;
-  bool reach = false;  ///< The report holds the table of reach.h, at the price of one more fit per row.
-  int samples = 200;   ///< To begin with; more where the target turns out to be worse between them.
+  bool max_angle_table = false;  ///< The report holds the table of max_angle_table.h, at the price of one more fit per row.
+  int samples = 200;             ///< To begin with; more where the target turns out to be worse between them.
   bool operator==(const ConvertOptions&) const = default;
 };
 
@@ -42,19 +43,20 @@ struct Conversion {
   ConversionReport report;
 };
 
-/// Converts `camera` to another model at the least-squares optimum in pixels over its domain, weighted by options.weight, or,
-/// with Objective::kMax, at the camera near it whose largest error is smallest; that one reaches every ray which the
-/// least-squares fit reaches. The same model, and a model that contains the source (ucm -> eucm, pinhole -> radtan, ...), are
-/// exact.
+/// Converts `camera` to another model at the least-squares optimum in pixels over its field of view, weighted by
+/// options.weight, or, with Objective::kMax, at the camera near it whose largest error is smallest; that one reaches every ray
+/// which the least-squares fit reaches. The same model, and a model that contains the source (ucm -> eucm, pinhole -> radtan,
+/// ...), are exact.
 ///
-/// Where the target cannot describe the whole domain, it is fitted to the largest cone around the axis that it can describe,
-/// with a warning. To describe means to have a pixel for every ray, but for the very edge (a thousandth of the image), without
-/// a fold; of what sees ahead only (sees_ahead_only: radtan, rational, pinhole), also to stay under 1 px rms. Other models are
-/// fitted to all that they reach, at whatever error (ucm from a lens of 360 degrees: 3.7 px rms inside 136 degrees from the
-/// axis): a wider domain never scores less of the image, and options.max_angle_rad buys a better fit nearer the axis.
+/// Where the target cannot describe the whole field of view, it is fitted up to the largest angle from the axis that it can
+/// describe, with a warning. To describe means to have a pixel for every ray, but for the very edge (a thousandth of the
+/// image), without a fold; of a perspective model (is_perspective: radtan, rational, pinhole), also to stay under 1 px rms.
+/// Other models are fitted to all that they reach, at whatever error (ucm from a lens of 360 degrees: 3.7 px rms inside 136
+/// degrees from the axis): a wider field of view never scores less of the image, and options.max_angle_rad buys a better fit
+/// nearer the axis.
 ///
-/// Errors: unknown model, no image size, parameters that are no camera, a domain without pixels, an image of weights of another
-/// size or that counts none of them.
+/// Errors: unknown model, no image size, parameters that are no camera, a field of view without pixels, an image of weights of
+/// another size or that counts none of them.
 [[nodiscard]] std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics);
 
 /// Whether the model's parameters lie within the ranges.

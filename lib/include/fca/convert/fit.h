@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A fit of any camera model, listed or one's own, to rays and pixels: the step of convert() between sample() and judge().
+// A fit of any camera model, listed or one's own, to rays and pixels: the step of convert() between sample() and evaluate().
 #pragma once
 
 #include <fca/convert/fit_target.h>
@@ -23,7 +23,7 @@ struct Fitted {
 };
 
 /// The least-squares optimum in pixels from the model's own starts (M::initialise), given the centre of the lens; nothing if no
-/// start leads to a camera. Derivatives are M::formula_and_slopes where the model has it, else central differences of
+/// start leads to a camera. Derivatives are M::formula_and_derivatives where the model has it, else central differences of
 /// M::formula: exact enough for the optimum, and some ten times slower.
 template <CameraModelType M>
 [[nodiscard]] std::optional<Fitted<M>> fit(std::span<const Correspondence> samples, const LensCentre& centre,

@@ -21,8 +21,8 @@ namespace fca::internal {
 
 /// A model with derivatives of its own (model_traits.h).
 template <class M>
-concept HasSlopes = requires(const double* in, double* out) {
-  { M::formula_and_slopes(in, in, out, out, out) } -> std::same_as<bool>;
+concept HasDerivatives = requires(const double* in, double* out) {
+  { M::formula_and_derivatives(in, in, out, out, out) } -> std::same_as<bool>;
 };
 
 /// A model that is linear once fy / fx is given (model_traits.h).
@@ -58,7 +58,7 @@ struct Column {
 
 /// Residuals in pixels and their derivatives by each parameter, all times the root of the sample's weight. A column holds the
 /// numbers of u for all samples, then those of v; the residuals are the last column, behind one per parameter.
-struct LinearisedColumns {
+struct JacobianColumns {
   std::span<const double> roots;  ///< Of the samples' weights.
   double* numbers = nullptr;
 
@@ -84,7 +84,7 @@ class FitTarget {
   [[nodiscard]] virtual std::span<const Parameter> parameters() const = 0;
   /// Left at its start unless a range is given.
   [[nodiscard]] virtual bool held(std::size_t parameter) const = 0;
-  /// A parameter along which there are two bottoms with nearly the same pixels.
+  /// A parameter along which there are two minima with nearly the same pixels.
   [[nodiscard]] virtual std::optional<std::size_t> folded() const = 0;
   /// Of the first four parameters u depends on 0 and 2, v on 1 and 3, and linearly: u = p[0] m_x + p[2], v = p[1] m_y + p[3],
   /// where m depends on the others alone.
@@ -92,7 +92,7 @@ class FitTarget {
   /// Next to an angle before the edge of its domain pixels may leave for infinity.
   [[nodiscard]] virtual bool has_poles() const = 0;
   /// Derivatives cost hardly more than pixels.
-  [[nodiscard]] virtual bool cheap_slopes() const = 0;
+  [[nodiscard]] virtual bool cheap_derivatives() const = 0;
   [[nodiscard]] virtual double max_angle(const double* p) const = 0;
 
   [[nodiscard]] virtual int starts() const = 0;
@@ -103,7 +103,7 @@ class FitTarget {
   /// One ray's pixel within the domain.
   virtual bool project(const double* p, const double* ray, double* pixel) const = 0;
   /// False where a sample has no pixel.
-  virtual bool linearise(const double* p, std::span<const Correspondence> samples, const LinearisedColumns& out) const = 0;
+  virtual bool compute_jacobian(const double* p, std::span<const Correspondence> samples, const JacobianColumns& out) const = 0;
 
   /// How many terms the model is linear in once fy / fx and its shape, if it has one, are given; 0: it is not.
   [[nodiscard]] virtual std::size_t terms() const = 0;
@@ -114,9 +114,9 @@ class FitTarget {
                           double* p) const = 0;
 };
 
-/// linearise() by central differences: for a model outside the list without derivatives.
-bool linearise_by_differences(const FitTarget& target, const double* p, std::span<const Correspondence> samples,
-                              const LinearisedColumns& out);
+/// compute_jacobian() by central differences: for a model outside the list without derivatives.
+bool jacobian_by_differences(const FitTarget& target, const double* p, std::span<const Correspondence> samples,
+                             const JacobianColumns& out);
 
 /// Any model of the concept.
 template <CameraModelType M>
@@ -139,7 +139,7 @@ class FitTargetOf : public FitTarget {
     return false;
   }
   [[nodiscard]] bool focal_lengths_first() const override { return std::is_base_of_v<FocalLengthsFirst, M>; }
-  [[nodiscard]] bool cheap_slopes() const override { return HasSlopes<M>; }
+  [[nodiscard]] bool cheap_derivatives() const override { return HasDerivatives<M>; }
   [[nodiscard]] double max_angle(const double* p) const override { return M::max_angle(p); }
 
   [[nodiscard]] int starts() const override { return M::kStarts; }
@@ -158,19 +158,19 @@ class FitTargetOf : public FitTarget {
     return all;
   }
   bool project(const double* p, const double* ray, double* pixel) const override { return M::project(p, ray, pixel); }
-  bool linearise(const double* p, std::span<const Correspondence> samples, const LinearisedColumns& out) const override {
-    if constexpr (HasSlopes<M>) {
+  bool compute_jacobian(const double* p, std::span<const Correspondence> samples, const JacobianColumns& out) const override {
+    if constexpr (HasDerivatives<M>) {
       for (std::size_t k = 0; k < samples.size(); ++k) {
         const Correspondence& s = samples[k];
         std::array<double, 2> pixel = s.pixel;
         std::array<double, kCount> du;
         std::array<double, kCount> dv;
-        if (!M::formula_and_slopes(p, s.ray.data(), pixel.data(), du.data(), dv.data())) return false;
+        if (!M::formula_and_derivatives(p, s.ray.data(), pixel.data(), du.data(), dv.data())) return false;
         out.set(k, du, dv, pixel[0] - s.pixel[0], pixel[1] - s.pixel[1]);
       }
       return true;
     } else {
-      return linearise_by_differences(*this, p, samples, out);
+      return jacobian_by_differences(*this, p, samples, out);
     }
   }
 
@@ -209,8 +209,8 @@ class FitTargetOf : public FitTarget {
   }
 };
 
-/// What of a domain may be out of a model's reach that is said to reach all of it: a model's radius may turn back within a hair
-/// of the edge, where samples of no weight lie. A share of the area.
+/// The share of a field of view's area that a model may miss and still counts as reaching all of it: its radius may turn back
+/// within a hair of the edge, where samples of no weight lie.
 inline constexpr double kVeryEdge = 1e-3;
 
 /// What a fit found.

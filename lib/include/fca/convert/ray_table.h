@@ -2,7 +2,7 @@
 // A lens that is known as a table: rays and their pixels, from a measurement or another program.
 #pragma once
 
-#include <fca/convert/judge.h>
+#include <fca/convert/evaluate.h>
 #include <fca/models/model_traits.h>
 
 #include <optional>
@@ -15,10 +15,11 @@ namespace fca {
 [[nodiscard]] std::optional<LensCentre> centre_of(std::span<const Correspondence> table);
 
 /// How far `target` is from the table, by the entries' weights; those it has no pixel for are left out. There is no bound.
-[[nodiscard]] ErrorSummary judge(std::span<const Correspondence> table, const Projection& target);
+[[nodiscard]] ErrorSummary evaluate(std::span<const Correspondence> table, const Projection& target);
 
-/// The same with shares of the table in place of shares of an image, and what ends `domain`.
-[[nodiscard]] Judgement judge_table(std::span<const Correspondence> table, const Domain& domain, const Projection& target);
+/// The same with shares of the table in place of shares of an image, and what ends `field_of_view`.
+[[nodiscard]] ErrorStatistics evaluate_table(std::span<const Correspondence> table, const FieldOfView& field_of_view,
+                                             const Projection& target);
 
 /// `camera`, whose lens is `projection` and no model of the list, as a table of up to 2,800 rays: about as many from its axis
 /// in each direction, up to `max_angle_rad` or where the radius stops growing, of those whose pixel lies in the image; weights

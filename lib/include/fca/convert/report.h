@@ -26,8 +26,8 @@ struct ErrorSummary {
   double p99 = 0.0;
   double max = 0.0;  ///< Polished from the worst points of the lattice to the maximum between them.
   Pixel max_at{};    ///< The source's pixel where it is.
-  /// No error of the domain is larger, between the pixels, too: proven. Infinite where nothing is (a target that is a program,
-  /// or whose error has no limit).
+  /// No error of the field of view is larger, between the pixels, too: proven. Infinite where nothing is (a target that is a
+  /// program, or whose error has no limit).
   double bound = std::numeric_limits<double>::infinity();
 };
 
@@ -46,7 +46,7 @@ struct Coverage {
   Message why = {};                  ///< What decided that, a clause.
   std::optional<LensCircle> circle;  ///< Of images, if that decided.
   double scored = 0.0;
-  double outside_lens = 0.0;     ///< No ray of the source, or beyond the domain's angle.
+  double outside_lens = 0.0;     ///< No ray of the source, or beyond the field of view's angle.
   double unrepresentable = 0.0;  ///< The target cannot reach this ray.
 
   /// The same as counts of pixels, exact; 0 unless every pixel was scored.
@@ -55,8 +55,8 @@ struct Coverage {
   long long unrepresentable_pixels = 0;
 };
 
-/// What the judge says of a pair of models.
-struct Judgement {
+/// The error statistics of a pair of models.
+struct ErrorStatistics {
   Coverage coverage;
   ErrorSummary error;
   std::vector<ErrorBand> bands;
@@ -72,7 +72,7 @@ struct PixelUncertainty {
   double max_px = 0.0;
   Pixel max_at{};            ///< The source's pixel where it is.
   double most_sigmas = 0.0;  ///< The largest ratio, over the image, of the conversion's error to the uncertainty there.
-  std::vector<double> bands_px = {};    ///< Root mean square between the angles of Judgement::bands, one for one.
+  std::vector<double> bands_px = {};    ///< Root mean square between the angles of ErrorStatistics::bands, one for one.
   std::vector<double> sigmas = {};      ///< Of the target's parameters; empty where `is_limit`, and of an exact copy.
   std::vector<double> covariance = {};  ///< The same, row by row.
 };
@@ -86,8 +86,8 @@ struct FitSummary {
 
 /// What a fit makes small.
 enum class Objective : std::uint8_t {
-  kRms,  ///< The root mean square of the errors over the domain.
-  kMax,  ///< The largest error of the domain.
+  kRms,  ///< The root mean square of the errors over the field of view.
+  kMax,  ///< The largest error of the field of view.
 };
 
 /// The error that a weighted fit makes small.
@@ -124,10 +124,10 @@ struct UnusualParameter {
   double rms_inside_px = 0.0;  ///< Of the best camera with all parameters inside.
 };
 
-/// What a conversion would reach if the lens ended at that angle from the axis.
-struct ReachRow {
+/// The errors of a conversion if the lens ended at that angle from the axis.
+struct MaxAngleRow {
   double max_angle_deg = 0.0;
-  double scored_to_deg = 0.0;    ///< As in ConversionReport; less where the target was fitted to a narrower cone.
+  double scored_to_deg = 0.0;    ///< As in ConversionReport; less where the target was fitted up to a smaller angle.
   double scored = 0.0;           ///< Share of the image.
   double unrepresentable = 0.0;  ///< Share of the image.
   double rms_px = 0.0;
@@ -139,25 +139,26 @@ struct ConversionReport {
   std::string from_model;
   std::string to_model;
   bool exact = false;  ///< The target contains the source: same pixels by construction, no fit.
-  Judgement judgement;
-  /// Nothing further from the axis was scored: the domain's largest angle, or where the target ends, by itself or because it
-  /// was fitted to a cone.
+  ErrorStatistics statistics;
+  /// Nothing further from the axis was scored: the field of view's largest angle, or where the target ends, by itself or
+  /// because it was fitted up to that angle only.
   double scored_to_deg = 0.0;
-  bool fitted_to_cone = false;  ///< The target cannot describe all of the domain and was fitted to the cone that ends there.
+  bool angle_reduced = false;  ///< The target cannot describe all of the field of view and was fitted up to there.
   FitSummary fit;
   int degree = 0;  ///< Of the polynomial that was fitted; 0: the target is none, or nothing was fitted.
   Objective objective = Objective::kRms;
-  std::optional<WeightedRms> weighted = {};  ///< Where pixels do not count alike; Judgement has the errors of all pixels.
+  std::optional<WeightedRms> weighted = {};  ///< Where pixels do not count alike; ErrorStatistics has the errors of all pixels.
   std::optional<RmsFit> rms_fit;             ///< Of a fit for the largest error.
   std::vector<std::string> at_bound;         ///< Parameters that ended at the edge of their range.
   std::vector<UnusualParameter> unusual;
   std::optional<AbsorbedTurn> turn;                  ///< Only if asked for, and where it helps.
   std::optional<TurnOffer> turn_offer;               ///< Where nobody asked, and it would take a fifth off a visible error.
   std::optional<PixelUncertainty> uncertainty = {};  ///< Where it is known (uncertainty.h).
-  std::vector<ReachRow> reach;  ///< Only if asked for, and where the lens's angle matters and nothing states it (reach.h).
+  /// Only if asked for, and where the lens's angle matters and no file contains it (max_angle_table.h).
+  std::vector<MaxAngleRow> max_angles;
 
   /// The root mean square that the fit made small.
-  [[nodiscard]] double fitted_rms_px() const { return weighted ? weighted->rms_px : judgement.error.rms; }
+  [[nodiscard]] double fitted_rms_px() const { return weighted ? weighted->rms_px : statistics.error.rms; }
 };
 
 }  // namespace fca

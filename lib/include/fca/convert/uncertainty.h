@@ -3,7 +3,7 @@
 // First order: right for standard deviations that move pixels by little.
 #pragma once
 
-#include <fca/convert/domain.h>
+#include <fca/convert/field_of_view.h>
 #include <fca/convert/report.h>
 #include <fca/rig/image_change.h>
 #include <fca/rig/uncertainty.h>
@@ -18,12 +18,12 @@ namespace fca {
 /// of a model such as `model`.
 [[nodiscard]] std::optional<double> pixel_sigma(const CameraModel& model, const Uncertainty& uncertainty, const Ray& ray);
 
-/// The covariance of the parameters of `target`, which was fitted to `source` over the domain: how they follow from the
+/// The covariance of the parameters of `target`, which was fitted to `source` over the field of view: how they follow from the
 /// source's, to first order. `held` names parameters of the target that stay, as do those that are 0 and what a fit never
 /// moves. Nothing without a covariance of the source.
 [[nodiscard]] std::optional<Uncertainty> uncertainty_of_fit(const CameraModel& source, const Uncertainty& uncertainty,
                                                             const CameraModel& target, std::span<const std::string> held,
-                                                            const Domain& domain);
+                                                            const FieldOfView& field_of_view);
 
 /// The covariance of the parameters of a model that was fitted to measured rays, from the residuals: sigma^2 (J'J)^-1, where
 /// sigma^2 is the sum of squares over the degrees of freedom. Right for independent errors of equal size in u and v; a model

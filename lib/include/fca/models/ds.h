@@ -38,14 +38,14 @@ struct Ds : internal::FocalLengthsFirst, internal::RayMap<Ds> {
       Parameter{
           "xi", "", -1.0, common_parameter::kInfinity, ParameterGroup::kLens, true, common_parameter::kInfinity, {-1.0, 1.0}}};
 
-  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+  static bool formula_and_derivatives(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double alpha = p[4];
     const double xi = p[5];
     const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
     const double k = xi + ray[2];
     const double d2 = std::sqrt(r2 + k * k);
     const double denominator = internal::unified_sum(alpha, d2, 1.0 - alpha, k, r2);
-    internal::radial_slopes<2>(p, ray, denominator, {d2 - k, alpha * k / d2 + (1.0 - alpha)}, pixel, du, dv);
+    internal::radial_derivatives<2>(p, ray, denominator, {d2 - k, alpha * k / d2 + (1.0 - alpha)}, pixel, du, dv);
     return denominator > 0.0;
   }
 
@@ -83,7 +83,7 @@ struct Ds : internal::FocalLengthsFirst, internal::RayMap<Ds> {
     return std::acos(std::clamp(c, -1.0, 1.0));
   }
 
-  /// Several basins on both sides of a singular ridge at xi = 0: several starts on each. Given xi, alpha is linear:
+  /// Several local minima on both sides of a singular ridge at xi = 0: several starts on each. Given xi, alpha is linear:
   /// (u - c)(alpha d2 + (1 - alpha) k) = f (x, y).
   static constexpr std::array kStartXi = {-0.8, -0.6, -0.2, 0.3, 0.7, 1.4};
   static constexpr int kStarts = static_cast<int>(kStartXi.size());

@@ -92,12 +92,12 @@ struct Eucm : internal::FocalLengthsFirst, internal::RayMap<Eucm> {
       Parameter{
           "beta", "", 0.0, common_parameter::kInfinity, ParameterGroup::kLens, true, common_parameter::kInfinity, {0.1, 10.0}}};
 
-  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+  static bool formula_and_derivatives(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double alpha = p[4];
     const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
     const double d = std::sqrt(p[5] * r2 + ray[2] * ray[2]);
     const double denominator = internal::unified_sum(alpha, d, 1.0 - alpha, ray[2], p[5] * r2);
-    internal::radial_slopes<2>(p, ray, denominator, {d - ray[2], 0.5 * alpha * r2 / d}, pixel, du, dv);
+    internal::radial_derivatives<2>(p, ray, denominator, {d - ray[2], 0.5 * alpha * r2 / d}, pixel, du, dv);
     return denominator > 0.0;
   }
 

@@ -37,9 +37,9 @@ struct UnitPrismFactor : ThinPrism<4> {
   static T factor(const T* /*q*/, const T& /*r2*/) {
     return T(1.0);
   }
-  static void factor_and_slope(const double* /*q*/, double /*r2*/, double& value, double& slope) {
+  static void factor_and_derivative(const double* /*q*/, double /*r2*/, double& value, double& derivative_of) {
     value = 1.0;
-    slope = 0.0;
+    derivative_of = 0.0;
   }
   static bool defined(const double* /*q*/, double /*r2*/) { return true; }
   static bool inside(const double* q, double r) { return positive_on(condition(q), r); }
@@ -91,7 +91,7 @@ struct Fisheye624 : internal::FocalLengthsFirst, internal::RayMap<Fisheye624> {
   }
 
   static double max_angle(const double* p) {
-    const double growing = std::sqrt(positive_until(slope(p), std::numbers::pi * std::numbers::pi));
+    const double growing = std::sqrt(positive_until(derivative_of(p), std::numbers::pi * std::numbers::pi));
     const double disc = Distortion::max_radius(further_terms(p).data());
     const auto radius = [p](double theta, double& value, double& derivative) { radius_at(p, theta, value, derivative); };
     double theta = growing;
@@ -143,18 +143,18 @@ struct Fisheye624 : internal::FocalLengthsFirst, internal::RayMap<Fisheye624> {
     return T(1.0) + t * sum;
   }
   /// dR/dtheta as a polynomial in theta^2.
-  static std::array<double, 7> slope(const double* p) {
+  static std::array<double, 7> derivative_of(const double* p) {
     return {1.0, 3.0 * p[4], 5.0 * p[5], 7.0 * p[6], 9.0 * p[7], 11.0 * p[8], 13.0 * p[9]};
   }
   static void radius_at(const double* p, double theta, double& value, double& derivative) {
     value = theta * factor(p, theta * theta);
-    derivative = evaluate_polynomial(slope(p), theta * theta);
+    derivative = evaluate_polynomial(derivative_of(p), theta * theta);
   }
 
   static bool angle_of_radius(const double* p, double radius, double& theta) {
-    const std::array<double, 7> slope_coefficients = slope(p);
+    const std::array<double, 7> derivative_coefficients = derivative_of(p);
     const auto at = [p](double x, double& value, double& derivative) { radius_at(p, x, value, derivative); };
-    const auto inside = [&](double x) { return x < std::numbers::pi && positive_on(slope_coefficients, x * x); };
+    const auto inside = [&](double x) { return x < std::numbers::pi && positive_on(derivative_coefficients, x * x); };
     return invert_inside(
         at, radius, radius, inside, [&] { return max_angle(p); }, theta);
   }
@@ -168,7 +168,7 @@ struct Fisheye624 : internal::FocalLengthsFirst, internal::RayMap<Fisheye624> {
       std::array<double, kTangential> values;
       std::transform(p, p + kTangential, values.begin(), [](const T& value) { return internal::value_of(value); });
       const double angle = std::sqrt(internal::value_of(t));
-      if (!(angle < std::numbers::pi) || !positive_on(slope(values.data()), angle * angle)) return false;
+      if (!(angle < std::numbers::pi) || !positive_on(derivative_of(values.data()), angle * angle)) return false;
     }
     const T scale = factor(p, t);
     const std::array<T, 8> q = further_terms(p);

@@ -31,16 +31,16 @@ struct Fov : internal::FocalLengthsFirst {
     using std::sqrt;
     using std::tan;
     if (!valid(internal::value_of(p[4]))) return false;
-    const T slope = T(2.0) * tan(p[4] * T(0.5));
+    const T tangent = T(2.0) * tan(p[4] * T(0.5));
     const T r2 = ray[0] * ray[0] + ray[1] * ray[1];
     if (!(internal::value_of(r2) > 0.0)) {  // on the axis, where r has no derivative
       if (!(internal::value_of(ray[2]) > 0.0)) return false;
-      const T scale = slope / (p[4] * ray[2]);
+      const T scale = tangent / (p[4] * ray[2]);
       internal::to_pixel(p, T(scale * ray[0]), T(scale * ray[1]), pixel);
       return true;
     }
     const T r = sqrt(r2);
-    const T scale = atan2(slope * r, ray[2]) / (p[4] * r);
+    const T scale = atan2(tangent * r, ray[2]) / (p[4] * r);
     internal::to_pixel(p, T(scale * ray[0]), T(scale * ray[1]), pixel);
     return true;
   }
@@ -50,20 +50,20 @@ struct Fov : internal::FocalLengthsFirst {
     return project(p, ray, pixel);
   }
 
-  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+  static bool formula_and_derivatives(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double w = p[4];
     const double r = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1]);
     if (!valid(w) || !(r > 0.0 || ray[2] > 0.0)) return false;
     const double half = std::tan(0.5 * w);
-    const double slope = 2.0 * half;
-    // With a = atan2(slope r, z): (x, y) / D for D = w r / a, and dD/dw = D (1 / w - da/dw / a). On the axis a / r is slope /
-    // z.
-    const double slope_by_w = 1.0 + half * half;
-    const double length2 = slope * r * slope * r + ray[2] * ray[2];
-    const double bent_per_r = r > 0.0 ? std::atan2(slope * r, ray[2]) / r : slope / ray[2];
+    const double tangent = 2.0 * half;
+    // With a = atan2(tangent r, z): (x, y) / D for D = w r / a, and dD/dw = D (1 / w - da/dw / a).
+    // On the axis a / r is tangent / z.
+    const double tangent_by_w = 1.0 + half * half;
+    const double length2 = tangent * r * tangent * r + ray[2] * ray[2];
+    const double bent_per_r = r > 0.0 ? std::atan2(tangent * r, ray[2]) / r : tangent / ray[2];
     const double denominator = w / bent_per_r;
-    const double by_w = denominator * (1.0 / w - slope_by_w * ray[2] / (length2 * bent_per_r));
-    internal::radial_slopes<1>(p, ray, denominator, {by_w}, pixel, du, dv);
+    const double by_w = denominator * (1.0 / w - tangent_by_w * ray[2] / (length2 * bent_per_r));
+    internal::radial_derivatives<1>(p, ray, denominator, {by_w}, pixel, du, dv);
     return true;
   }
 
@@ -87,8 +87,8 @@ struct Fov : internal::FocalLengthsFirst {
   static bool terms(double w, const double* ray, double* along_u, double* along_v) {
     const double r = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1]);
     if (!valid(w) || !(r > 0.0 || ray[2] > 0.0)) return false;
-    const double slope = 2.0 * std::tan(0.5 * w);
-    const double scale = (r > 0.0 ? std::atan2(slope * r, ray[2]) / r : slope / ray[2]) / w;
+    const double tangent = 2.0 * std::tan(0.5 * w);
+    const double scale = (r > 0.0 ? std::atan2(tangent * r, ray[2]) / r : tangent / ray[2]) / w;
     along_u[0] = scale * ray[0];
     along_v[0] = scale * ray[1];
     return true;

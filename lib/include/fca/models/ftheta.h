@@ -58,7 +58,7 @@ struct Ftheta : internal::RayMap<Ftheta> {
     return true;
   }
 
-  static double max_angle(const double* p) { return positive_until(slope(p), std::numbers::pi); }
+  static double max_angle(const double* p) { return positive_until(derivative_of(p), std::numbers::pi); }
 
   static std::array<double, 2> principal_point(const double* p) { return {p[kCx], p[kCy]}; }
   /// The shear is left out.
@@ -121,20 +121,22 @@ struct Ftheta : internal::RayMap<Ftheta> {
   static bool in_domain(const T* p, double theta) {
     std::array<double, kTerms> k;
     for (std::size_t i = 0; i < kTerms; ++i) k[i] = internal::value_of(p[i]);
-    return theta < std::numbers::pi && positive_on(slope(k.data()), theta);
+    return theta < std::numbers::pi && positive_on(derivative_of(k.data()), theta);
   }
 
   /// drho/dtheta as a polynomial in theta.
-  static std::array<double, kTerms> slope(const double* k) { return {k[0], 2.0 * k[1], 3.0 * k[2], 4.0 * k[3], 5.0 * k[4]}; }
+  static std::array<double, kTerms> derivative_of(const double* k) {
+    return {k[0], 2.0 * k[1], 3.0 * k[2], 4.0 * k[3], 5.0 * k[4]};
+  }
 
   /// rho(theta) = radius, from the lens without k2 ... k5.
   static bool angle_of_radius(const double* p, double radius, double& theta) {
-    const std::array<double, kTerms> slope_coefficients = slope(p);
+    const std::array<double, kTerms> derivative_coefficients = derivative_of(p);
     const auto rho = [&](double x, double& value, double& derivative) {
       value = x * (p[0] + x * (p[1] + x * (p[2] + x * (p[3] + x * p[4]))));
-      derivative = evaluate_polynomial(slope_coefficients, x);
+      derivative = evaluate_polynomial(derivative_coefficients, x);
     };
-    const auto inside = [&](double x) { return x < std::numbers::pi && positive_on(slope_coefficients, x); };
+    const auto inside = [&](double x) { return x < std::numbers::pi && positive_on(derivative_coefficients, x); };
     return invert_inside(
         rho, radius, radius / p[0], inside, [&] { return max_angle(p); }, theta);
   }

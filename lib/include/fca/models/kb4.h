@@ -48,7 +48,7 @@ struct Kb4 : internal::FocalLengthsFirst, internal::RayMap<Kb4> {
   }
 
   static double max_angle(const double* p) {
-    return std::sqrt(positive_until(slope(p + 4), std::numbers::pi * std::numbers::pi));
+    return std::sqrt(positive_until(derivative_of(p + 4), std::numbers::pi * std::numbers::pi));
   }
 
   /// theta, theta^3, ... theta^9 in the direction of (x, y), with f, f k1, ... f k4.
@@ -103,7 +103,7 @@ struct Kb4 : internal::FocalLengthsFirst, internal::RayMap<Kb4> {
     const double values[4] = {internal::value_of(p[4]), internal::value_of(p[5]), internal::value_of(p[6]),
                               internal::value_of(p[7])};
     const double angle = internal::value_of(theta);
-    if (kWithinDomain && (!(angle < std::numbers::pi) || !positive_on(slope(values), angle * angle))) return false;
+    if (kWithinDomain && (!(angle < std::numbers::pi) || !positive_on(derivative_of(values), angle * angle))) return false;
     const T t = theta * theta;
     const T scale = theta * (T(1.0) + t * (p[4] + t * (p[5] + t * (p[6] + t * p[7])))) / r;
     internal::to_pixel(p, T(scale * ray[0]), T(scale * ray[1]), pixel);
@@ -111,17 +111,17 @@ struct Kb4 : internal::FocalLengthsFirst, internal::RayMap<Kb4> {
   }
 
   /// dd/dtheta as a polynomial in theta^2.
-  static std::array<double, 5> slope(const double* k) { return {1.0, 3.0 * k[0], 5.0 * k[1], 7.0 * k[2], 9.0 * k[3]}; }
+  static std::array<double, 5> derivative_of(const double* k) { return {1.0, 3.0 * k[0], 5.0 * k[1], 7.0 * k[2], 9.0 * k[3]}; }
 
   /// d(theta) = radius, from theta = radius.
   static bool angle_of_radius(const double* p, double radius, double& theta) {
-    const std::array<double, 5> slope_coefficients = slope(p + 4);
+    const std::array<double, 5> derivative_coefficients = derivative_of(p + 4);
     const auto d = [&](double x, double& value, double& derivative) {
       const double t = x * x;
       value = x * (1.0 + t * (p[4] + t * (p[5] + t * (p[6] + t * p[7]))));
-      derivative = evaluate_polynomial(slope_coefficients, t);
+      derivative = evaluate_polynomial(derivative_coefficients, t);
     };
-    const auto inside = [&](double x) { return x < std::numbers::pi && positive_on(slope_coefficients, x * x); };
+    const auto inside = [&](double x) { return x < std::numbers::pi && positive_on(derivative_coefficients, x * x); };
     return invert_inside(
         d, radius, radius, inside, [&] { return max_angle(p); }, theta);
   }

@@ -38,7 +38,7 @@ struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
       common_parameter::coefficient("p1"),
       common_parameter::coefficient("p2")};
 
-  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+  static bool formula_and_derivatives(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
     const double denominator = internal::unified_sum(p[4], 1.0, 1.0, ray[2], r2);
     const double x = ray[0] / denominator;
@@ -46,15 +46,15 @@ struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
     const double t = x * x + y * y;
     const double xy2 = 2.0 * x * y;
     const double radial = 1.0 + t * (p[5] + t * p[6]);
-    const double radial_slope = 2.0 * (p[5] + t * 2.0 * p[6]);  // dL/dx = x * this
+    const double radial_derivative = 2.0 * (p[5] + t * 2.0 * p[6]);  // dL/dx = x * this
     const double mx = x * radial + p[7] * xy2 + p[8] * (t + 2.0 * x * x);
     const double my = y * radial + p[7] * (t + 2.0 * y * y) + p[8] * xy2;
     pixel[0] = p[0] * mx + p[2];
     pixel[1] = p[1] * my + p[3];
     // By xi, (x, y) moves along itself.
-    const double across = x * y * radial_slope + 2.0 * (p[7] * x + p[8] * y);
-    const double mx_x = radial + x * x * radial_slope + 2.0 * p[7] * y + 6.0 * p[8] * x;
-    const double my_y = radial + y * y * radial_slope + 6.0 * p[7] * y + 2.0 * p[8] * x;
+    const double across = x * y * radial_derivative + 2.0 * (p[7] * x + p[8] * y);
+    const double mx_x = radial + x * x * radial_derivative + 2.0 * p[7] * y + 6.0 * p[8] * x;
+    const double my_y = radial + y * y * radial_derivative + 6.0 * p[7] * y + 2.0 * p[8] * x;
     const std::array<double, 9> u = {mx,
                                      0.0,
                                      1.0,
@@ -129,7 +129,8 @@ struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
     for (std::size_t i = 1; i < kTerms; ++i) p[4 + i] = c[i] / c[0];
   }
 
-  /// Given xi the distortion is linear, as in radtan.h; f on the plane is the central one times 1 + xi. xi has several basins.
+  /// Given xi the distortion is linear, as in radtan.h; f on the plane is the central one times 1 + xi. xi has several local
+  /// minima.
   static constexpr std::array kStartXi = {1.0, 0.3, 2.0, 4.0};
   static constexpr int kStarts = static_cast<int>(kStartXi.size());
   static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int start, double* p) {

@@ -91,9 +91,9 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///   principal_point(p)         the pixel of the axis.
 ///   central_focal_lengths(p)   radius per angle at the centre along u and v, in pixels per radian.
 ///   kStarts, initialise(samples, centre, start, p)
-///                              linear start for a fit, start = 0 .. kStarts - 1 (models with several basins have several): all
-///                              of p, a camera with that centre.
-///   formula_and_slopes(p, ray, pixel, du, dv)
+///                              linear start for a fit, start = 0 .. kStarts - 1 (models with several local minima have
+///                              several): all of p, a camera with that centre.
+///   formula_and_derivatives(p, ray, pixel, du, dv)
 ///                              (optional) formula for double and a unit ray, and the derivatives of u and v by each parameter,
 ///                              where that is much faster than automatic differentiation. `pixel` enters as a guess. Where
 ///                              it returns false it may leave anything in them.
@@ -104,11 +104,11 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///   kShapes, terms(shape, ray, along_u, along_v), from_terms(shape, coefficients, aspect, point, p)
 ///                              (optional) the same for a model that is linear in all else once fy / fx and one parameter,
 ///                              its shape, are given. kShapes: values to begin a search with, ascending.
-///   kFolded                    (optional) the index of a parameter along which a fit has two bottoms with nearly the same
+///   kFolded                    (optional) the index of a parameter along which a fit has two minima with nearly the same
 ///                              pixels.
 ///   kStartsFindCentre          (optional) true: initialise finds focal lengths and principal point, too, and takes the given
 ///                              ones as a unit and an origin only.
-///   kAheadOnly                 (optional) true: whatever the parameters, no ray at 90 degrees from the axis or beyond has a
+///   kPerspective               (optional) true: whatever the parameters, no ray at 90 degrees from the axis or beyond has a
 ///                              pixel. Nobody then tries to fit it to such rays.
 ///   kRound                     (optional) true: but for the two focal lengths, pixels at one radius from the centre have rays
 ///   at
@@ -245,11 +245,11 @@ void store(const std::array<double, N>& from, double* to) {
   (std::make_index_sequence<N>());
 }
 
-/// What formula_and_slopes returns for pixel = (fx x, fy y) / denominator + (cx, cy), given the derivatives of the denominator
-/// by the parameters after the first four.
+/// What formula_and_derivatives returns for pixel = (fx x, fy y) / denominator + (cx, cy), given the derivatives of the
+/// denominator by the parameters after the first four.
 template <std::size_t N>
-void radial_slopes(const double* p, const double* ray, double denominator, const std::array<double, N>& slopes, double* pixel,
-                   double* du, double* dv) {
+void radial_derivatives(const double* p, const double* ray, double denominator, const std::array<double, N>& derivatives,
+                        double* pixel, double* du, double* dv) {
   const double inverse = 1.0 / denominator;
   const double mx = ray[0] * inverse;
   const double my = ray[1] * inverse;
@@ -264,7 +264,7 @@ void radial_slopes(const double* p, const double* ray, double denominator, const
   du[3] = 0.0;
   dv[3] = 1.0;
   for (std::size_t i = 0; i < N; ++i) {
-    const double change = -slopes[i] * inverse;
+    const double change = -derivatives[i] * inverse;
     du[4 + i] = p[0] * mx * change;
     dv[4 + i] = p[1] * my * change;
   }

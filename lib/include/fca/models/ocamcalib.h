@@ -61,11 +61,11 @@ struct Ocamcalib : internal::RayMap<Ocamcalib> {
   static constexpr int kLeastDegree = 4;
   static constexpr std::array<std::string_view, 4> kHigherTerms = {"a5", "a6", "a7", "a8"};
 
-  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+  static bool formula_and_derivatives(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     if (!(p[kC] > p[kD] * p[kE]) || !(p[kA] < 0.0)) return false;
     const double r = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1]);
     if (!(r > 0.0) && !(ray[2] > 0.0)) return false;
-    // rho (down, right) / r; by a_k, rho moves by rho^k r over the residual's slope.
+    // rho (down, right) / r; by a_k, rho moves by rho^k r over the residual's derivative.
     double rho = 0.0;
     double down = 0.0;
     double right = 0.0;
@@ -75,7 +75,7 @@ struct Ocamcalib : internal::RayMap<Ocamcalib> {
       if (!radius_of_ray<false>(g, growth(p + kA), r, ray[2], radius_of_pixel(p, pixel), rho)) return false;
       down = ray[1] / r;
       right = ray[0] / r;
-      rho_by_a0 = r / residual_slope(g, r, ray[2], rho);
+      rho_by_a0 = r / residual_derivative(g, r, ray[2], rho);
     }
     pixel[0] = (p[kE] * down + right) * rho + p[kCx];
     pixel[1] = (p[kC] * down + p[kD] * right) * rho + p[kCy];
@@ -145,10 +145,10 @@ struct Ocamcalib : internal::RayMap<Ocamcalib> {
         const double cosine = s.ray[2];
         const double rho = std::hypot(s.pixel[0] - p[kCx], (s.pixel[1] - p[kCy]) / p[kC]) / focal;
         const double rho2 = rho * rho;
-        const double slope = round == 0 ? (sine > 0.0 ? std::atan2(sine, cosine) / sine : 1.0)
-                                        : (rho * (2.0 * g[0] + rho * (3.0 * g[1] + rho * 4.0 * g[2]))) * sine - cosine;
+        const double derivative = round == 0 ? (sine > 0.0 ? std::atan2(sine, cosine) / sine : 1.0)
+                                             : (rho * (2.0 * g[0] + rho * (3.0 * g[1] + rho * 4.0 * g[2]))) * sine - cosine;
         constexpr double kSmallest = 0.05;
-        const double weight = s.weight / std::max(kSmallest, slope * slope);
+        const double weight = s.weight / std::max(kSmallest, derivative * derivative);
         fit.add({sine * rho2, sine * rho2 * rho, sine * rho2 * rho2}, rho * cosine - sine, weight);
       }
       fit.solve(g.data());
@@ -196,8 +196,8 @@ struct Ocamcalib : internal::RayMap<Ocamcalib> {
       // One more step of Newton's method in T, from a constant: its derivatives are those of the implicit function.
       T f = p[kA + kTerms - 1];
       for (std::size_t k = kTerms - 1; k-- > 0;) f = f * T(root) + p[kA + k];
-      const double slope = residual_slope(ahead(p + kA), value_of(r), value_of(ray[2]), root);
-      scale = (T(root) + (f * r + ray[2] * T(root)) / T(slope)) / r;
+      const double derivative = residual_derivative(ahead(p + kA), value_of(r), value_of(ray[2]), root);
+      scale = (T(root) + (f * r + ray[2] * T(root)) / T(derivative)) / r;
     } else {  // on the axis, where r has no derivative
       if (!(value_of(ray[2]) > 0.0)) return false;
       scale = -p[kA] / ray[2];
@@ -210,10 +210,10 @@ struct Ocamcalib : internal::RayMap<Ocamcalib> {
   }
 
   /// d/drho of g r - z rho.
-  static double residual_slope(const Polynomial& g, double r, double z, double rho) {
-    double slope = 0.0;
-    for (std::size_t k = kTerms - 1; k > 0; --k) slope = slope * rho + static_cast<double>(k) * g[k];
-    return slope * r - z;
+  static double residual_derivative(const Polynomial& g, double r, double z, double rho) {
+    double derivative = 0.0;
+    for (std::size_t k = kTerms - 1; k > 0; --k) derivative = derivative * rho + static_cast<double>(k) * g[k];
+    return derivative * r - z;
   }
 
   static double radius_of_pixel(const double* p, const double* pixel) {
@@ -246,8 +246,8 @@ struct Ocamcalib : internal::RayMap<Ocamcalib> {
     rho = start;
     constexpr int kMaxSteps = 12;
     for (int i = 0; i < kMaxSteps; ++i) {
-      const double slope = residual_slope(g, sine, cosine, rho);
-      const double step = (evaluate_polynomial(g, rho) * sine - cosine * rho) / slope;
+      const double derivative = residual_derivative(g, sine, cosine, rho);
+      const double step = (evaluate_polynomial(g, rho) * sine - cosine * rho) / derivative;
       rho -= step;
       if (!(std::abs(step) <= 1e-9 * rho)) continue;  // the next step would be about the square of this one
       // The angle grows with rho at the root that is meant.

@@ -165,7 +165,7 @@ struct Opencv14 : internal::FocalLengthsFirst, internal::RayMap<Opencv14> {
   static constexpr std::array<std::string_view, 6> kHeldInFits = {"s1", "s2", "s3", "s4", "tau_x", "tau_y"};
   static constexpr bool kKeptOnly = true;
 
-  static constexpr bool kAheadOnly = true;
+  static constexpr bool kPerspective = true;
   static constexpr bool kHasPoles = true;
 
   static bool is_tilted(const double* p) { return p[16] != 0.0 || p[17] != 0.0; }

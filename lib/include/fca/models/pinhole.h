@@ -40,7 +40,7 @@ struct Pinhole : internal::FocalLengthsFirst {
     return internal::normalise(ray);
   }
 
-  static constexpr bool kAheadOnly = true;
+  static constexpr bool kPerspective = true;
   static double max_angle(const double* /*p*/) { return 0.5 * std::numbers::pi; }
   static constexpr std::size_t kTerms = 1;
   static bool terms(const double* ray, double* along_u, double* along_v) {

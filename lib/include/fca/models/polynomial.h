@@ -154,29 +154,29 @@ template <std::size_t N>
 
 /// The x in [0, upper) with f(x) = y, for an f that increases there from f(0) = 0. Newton's method kept inside a shrinking
 /// bracket, which every other step halves if Newton's goes back and forth: it always ends, and converges to the last digits.
-/// False if f stays below y. `upper` may be infinite. f(x, value, slope) gives both at once; `x` enters as a guess.
+/// False if f stays below y. `upper` may be infinite. f(x, value, derivative) gives both at once; `x` enters as a guess.
 template <class F>
 [[nodiscard]] bool invert_increasing(const F& f, double y, double upper, double& x) {
   double value = 0.0;
-  double slope = 0.0;
+  double derivative = 0.0;
   double low = 0.0;
   double high = upper;
   if (std::isinf(upper)) {
-    for (high = 1.0; f(high, value, slope), value < y; high *= 2.0) low = high;
+    for (high = 1.0; f(high, value, derivative), value < y; high *= 2.0) low = high;
     if (!std::isfinite(high)) return false;
   } else {
-    f(upper, value, slope);
+    f(upper, value, derivative);
     if (!(y < value)) return false;
   }
   if (!(x >= low && x < high)) x = 0.5 * (low + high);
   constexpr int kMaxSteps = 200;
   constexpr int kNewtonAlone = 50;
   for (int i = 0; i < kMaxSteps; ++i) {
-    f(x, value, slope);
+    f(x, value, derivative);
     const double error = value - y;
     if (error == 0.0) return true;
     (error > 0.0 ? high : low) = x;
-    double next = x - error / slope;
+    double next = x - error / derivative;
     const bool halve = i >= kNewtonAlone && i % 2 == 0;
     if (halve || !(next >= low && next < high)) next = 0.5 * (low + high);
     const bool converged = std::abs(next - x) <= 2.0 * std::numeric_limits<double>::epsilon() * x;
@@ -186,17 +186,17 @@ template <class F>
   return false;
 }
 
-/// The same for an f whose slope is positive where `inside` holds, between 0 and limit(): Newton's method from `guess`, which
-/// nearly always ends inside after a few steps and asks for no limit; else the search.
+/// The same for an f whose derivative is positive where `inside` holds, between 0 and limit(): Newton's method from `guess`,
+/// which nearly always ends inside after a few steps and asks for no limit; else the search.
 template <class F, class Inside, class Limit>
 [[nodiscard]] bool invert_inside(const F& f, double y, double guess, const Inside& inside, const Limit& limit, double& x) {
   constexpr int kMaxSteps = 10;
   x = guess;
   for (int i = 0; i < kMaxSteps; ++i) {
     double value = 0.0;
-    double slope = 0.0;
-    f(x, value, slope);
-    const double step = (value - y) / slope;
+    double derivative = 0.0;
+    f(x, value, derivative);
+    const double step = (value - y) / derivative;
     x -= step;
     if (!(std::abs(step) <= 1e-10 * x)) continue;  // the next step would be about the square of this one
     if (inside(x)) return true;

@@ -44,7 +44,7 @@ struct ThinPrism {
     m[1] += r2 * (q[kFirst + 2] + r2 * q[kFirst + 3]);
   }
   /// d(m_x, m_y)/d(r^2).
-  static std::array<double, 2> slopes(const double* q, double r2) {
+  static std::array<double, 2> derivatives(const double* q, double r2) {
     return {q[kFirst] + 2.0 * r2 * q[kFirst + 1], q[kFirst + 2] + 2.0 * r2 * q[kFirst + 3]};
   }
 };
@@ -56,11 +56,12 @@ struct ThinPrism {
 /// `Radial` is the factor L:
 ///   kCount                      number of coefficients q
 ///   factor(q, r2)               L, for double and for automatic differentiation
-///   factor_and_slope(q, r2, L, slope)   L and dL/d(r^2)
+///   factor_and_derivative(q, r2, L, derivative)
+///                               L and dL/d(r^2)
 ///   defined(q, r2)              does L have a value there?
 ///   inside(q, r), max_radius(q) the disc
-///   kPrism                      true: add(q, r2, m) adds a thin prism's shift, of which slopes(q, r2) are the derivatives by
-///                               r2, and longest(q, r2) is the length at most
+///   kPrism                      true: add(q, r2, m) adds a thin prism's shift, derivatives(q, r2) are its derivatives by
+///                               r2, and longest(q, r2) is its length at most
 template <class Radial>
 struct TangentialOver {
   /// false outside the disc, if that is asked.
@@ -87,16 +88,16 @@ struct TangentialOver {
     const double radius = length(m[0], m[1]);
     constexpr double kSquareOverflows = 1e150;
     if (!(radius < kSquareOverflows)) return false;
-    const auto radial = [q](double r, double& value, double& slope) {
-      Radial::factor_and_slope(q, r * r, value, slope);
-      slope = value + 2.0 * r * r * slope;
+    const auto radial = [q](double r, double& value, double& derivative) {
+      Radial::factor_and_derivative(q, r * r, value, derivative);
+      derivative = value + 2.0 * r * r * derivative;
       value *= r;
     };
     double r = std::min(radius, limit);
     if (!invert_increasing(radial, radius, limit, r)) {
       double largest = 0.0;
-      double slope = 0.0;
-      radial(limit, largest, slope);
+      double derivative = 0.0;
+      radial(limit, largest, derivative);
       // The tangential terms are at most 3 P r^2 long.
       double moved = 3.0 * length(q[2], q[3]) * limit * limit;
       if constexpr (Radial::kPrism) moved += Radial::longest(q, limit * limit);
@@ -124,15 +125,15 @@ struct TangentialOver {
 
   static void jacobian(const double* q, double x, double y, double* j) {
     double radial = 0.0;
-    double slope = 0.0;
-    Radial::factor_and_slope(q, x * x + y * y, radial, slope);
-    const double radial_slope = 2.0 * slope;  // dL/dx = x * this
-    j[0] = radial + x * x * radial_slope + 2.0 * q[2] * y + 6.0 * q[3] * x;
-    j[1] = x * y * radial_slope + 2.0 * q[2] * x + 2.0 * q[3] * y;
+    double derivative = 0.0;
+    Radial::factor_and_derivative(q, x * x + y * y, radial, derivative);
+    const double radial_derivative = 2.0 * derivative;  // dL/dx = x * this
+    j[0] = radial + x * x * radial_derivative + 2.0 * q[2] * y + 6.0 * q[3] * x;
+    j[1] = x * y * radial_derivative + 2.0 * q[2] * x + 2.0 * q[3] * y;
     j[2] = j[1];
-    j[3] = radial + y * y * radial_slope + 6.0 * q[2] * y + 2.0 * q[3] * x;
+    j[3] = radial + y * y * radial_derivative + 6.0 * q[2] * y + 2.0 * q[3] * x;
     if constexpr (Radial::kPrism) {
-      const auto [u, v] = Radial::slopes(q, x * x + y * y);
+      const auto [u, v] = Radial::derivatives(q, x * x + y * y);
       j[0] += 2.0 * x * u;
       j[1] += 2.0 * y * u;
       j[2] += 2.0 * x * v;
@@ -194,20 +195,22 @@ struct PolynomialFactor {
   static T factor(const T* q, const T& r2) {
     return T(1.0) + r2 * (q[0] + r2 * (q[1] + r2 * q[4]));
   }
-  static void factor_and_slope(const double* q, double r2, double& value, double& slope) {
+  static void factor_and_derivative(const double* q, double r2, double& value, double& derivative) {
     value = factor(q, r2);
-    slope = q[0] + r2 * (2.0 * q[1] + r2 * 3.0 * q[4]);
+    derivative = q[0] + r2 * (2.0 * q[1] + r2 * 3.0 * q[4]);
   }
   static bool defined(const double* /*q*/, double /*r2*/) { return true; }
 
-  static bool inside(const double* q, double r) { return positive_on(radial_slope(q), r) && positive_on(other_azimuths(q), r); }
+  static bool inside(const double* q, double r) {
+    return positive_on(radial_derivative(q), r) && positive_on(other_azimuths(q), r);
+  }
   static double max_radius(const double* q) {
-    return positive_until(other_azimuths(q), positive_until(radial_slope(q), std::numeric_limits<double>::infinity()));
+    return positive_until(other_azimuths(q), positive_until(radial_derivative(q), std::numeric_limits<double>::infinity()));
   }
 
  private:
   /// A - 6 P r as a polynomial in r.
-  static std::array<double, 7> radial_slope(const double* q) {
+  static std::array<double, 7> radial_derivative(const double* q) {
     return {1.0, -6.0 * length(q[2], q[3]), 3.0 * q[0], 0.0, 5.0 * q[1], 0.0, 7.0 * q[4]};
   }
   /// A + 3 L - 16 P r as a polynomial in r.

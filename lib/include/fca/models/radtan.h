@@ -37,10 +37,10 @@ struct Radtan : internal::FocalLengthsFirst, internal::RayMap<Radtan> {
                                              common_parameter::coefficient("p2"),
                                              common_parameter::coefficient("k3")};
 
-  static constexpr bool kAheadOnly = true;
+  static constexpr bool kPerspective = true;
   static constexpr std::string_view kBendsBack = "k3";
 
-  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+  static bool formula_and_derivatives(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double x = ray[0] / ray[2];
     const double y = ray[1] / ray[2];
     const double r2 = x * x + y * y;

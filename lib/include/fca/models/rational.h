@@ -39,12 +39,12 @@ struct RationalFactor {
   static T factor(const T* q, const T& t) {
     return (T(1.0) + t * (q[0] + t * (q[1] + t * q[4]))) / (T(1.0) + t * (q[5] + t * (q[6] + t * q[7])));
   }
-  static void factor_and_slope(const double* q, double t, double& value, double& slope) {
+  static void factor_and_derivative(const double* q, double t, double& value, double& derivative) {
     const double denominator = evaluate_polynomial(denominator_of(q), t);
     value = evaluate_polynomial(numerator_of(q), t) / denominator;
-    const double numerator_slope = q[0] + t * (2.0 * q[1] + t * 3.0 * q[4]);
-    const double denominator_slope = q[5] + t * (2.0 * q[6] + t * 3.0 * q[7]);
-    slope = (numerator_slope - value * denominator_slope) / denominator;
+    const double numerator_derivative = q[0] + t * (2.0 * q[1] + t * 3.0 * q[4]);
+    const double denominator_derivative = q[5] + t * (2.0 * q[6] + t * 3.0 * q[7]);
+    derivative = (numerator_derivative - value * denominator_derivative) / denominator;
   }
   static bool defined(const double* q, double t) { return evaluate_polynomial(denominator_of(q), t) > 0.0; }
 
@@ -122,10 +122,10 @@ struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
                                              common_parameter::coefficient("k5"),
                                              common_parameter::coefficient("k6")};
 
-  static constexpr bool kAheadOnly = true;
+  static constexpr bool kPerspective = true;
   static constexpr bool kHasPoles = true;
 
-  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+  static bool formula_and_derivatives(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double x = ray[0] / ray[2];
     const double y = ray[1] / ray[2];
     const double t = x * x + y * y;

@@ -85,7 +85,7 @@ struct Skewed : internal::RayMap<Skewed<M>>, internal::StartsOf<M> {
   }
   static constexpr std::array<std::string_view, 1> kHeldInFits = {"skew"};
   static constexpr bool kKeptOnly = true;
-  static constexpr bool kAheadOnly = requires { requires M::kAheadOnly; };
+  static constexpr bool kPerspective = requires { requires M::kPerspective; };
   static constexpr bool kHasPoles = requires { requires M::kHasPoles; };
 
   static bool unproject(const double* p, const double* pixel, double* ray) {

@@ -32,9 +32,9 @@ struct FisheyePrismFactor {
   static T factor(const T* q, const T& r2) {
     return T(1.0) + r2 * (q[0] + r2 * (q[1] + r2 * (q[4] + r2 * q[5])));
   }
-  static void factor_and_slope(const double* q, double r2, double& value, double& slope) {
+  static void factor_and_derivative(const double* q, double r2, double& value, double& derivative) {
     value = factor(q, r2);
-    slope = q[0] + r2 * (2.0 * q[1] + r2 * (3.0 * q[4] + r2 * 4.0 * q[5]));
+    derivative = q[0] + r2 * (2.0 * q[1] + r2 * (3.0 * q[4] + r2 * 4.0 * q[5]));
   }
   static bool defined(const double* /*q*/, double /*r2*/) { return true; }
 
@@ -55,15 +55,15 @@ struct FisheyePrismFactor {
     m[0] += r2 * q[6];
     m[1] += r2 * q[7];
   }
-  static std::array<double, 2> slopes(const double* q, double /*r2*/) { return {q[6], q[7]}; }
+  static std::array<double, 2> derivatives(const double* q, double /*r2*/) { return {q[6], q[7]}; }
 
  private:
   /// How often d(r L)/dr counts beside L, and P: A - 6 P r, A + 3 L - 16 P r, L - 2 P r. The prism takes 2 |(sx1, sy1)| r from
   /// each of A and L.
-  static std::array<double, 9> condition(const double* q, double of_slope, double tangential, double count) {
+  static std::array<double, 9> condition(const double* q, double of_derivative, double tangential, double count) {
     const double k[5] = {1.0, q[0], q[1], q[4], q[5]};
     std::array<double, 9> result{};
-    for (std::size_t i = 0; i < 5; ++i) result[2 * i] = (count + of_slope * 2.0 * static_cast<double>(i)) * k[i];
+    for (std::size_t i = 0; i < 5; ++i) result[2 * i] = (count + of_derivative * 2.0 * static_cast<double>(i)) * k[i];
     result[1] = -tangential * length(q[2], q[3]) - 2.0 * count * length(q[6], q[7]);
     return result;
   }

@@ -24,11 +24,11 @@ struct Ucm : internal::FocalLengthsFirst, internal::RayMap<Ucm> {
   static constexpr std::array kParameters = {common_parameter::kFx, common_parameter::kFy, common_parameter::kCx,
                                              common_parameter::kCy, Parameter{"alpha", "", 0.0, 1.0, ParameterGroup::kLens}};
 
-  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+  static bool formula_and_derivatives(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
     const double d = std::sqrt(r2 + ray[2] * ray[2]);
     const double denominator = internal::unified_sum(p[4], d, 1.0 - p[4], ray[2], r2);
-    internal::radial_slopes<1>(p, ray, denominator, {d - ray[2]}, pixel, du, dv);
+    internal::radial_derivatives<1>(p, ray, denominator, {d - ray[2]}, pixel, du, dv);
     return denominator > 0.0;
   }
 

@@ -49,7 +49,7 @@ struct Woodscape : internal::RayMap<Woodscape> {
     return true;
   }
 
-  static double max_angle(const double* p) { return positive_until(slope(p), std::numbers::pi); }
+  static double max_angle(const double* p) { return positive_until(derivative_of(p), std::numbers::pi); }
 
   static std::array<double, 2> principal_point(const double* p) { return {p[5], p[6]}; }
   static std::array<double, 2> central_focal_lengths(const double* p) { return {p[0], p[4] * p[0]}; }
@@ -122,20 +122,20 @@ struct Woodscape : internal::RayMap<Woodscape> {
   static bool in_domain(const T* p, double theta) {
     const double k[4] = {internal::value_of(p[0]), internal::value_of(p[1]), internal::value_of(p[2]),
                          internal::value_of(p[3])};
-    return theta < std::numbers::pi && positive_on(slope(k), theta);
+    return theta < std::numbers::pi && positive_on(derivative_of(k), theta);
   }
 
   /// drho/dtheta as a polynomial in theta.
-  static std::array<double, 4> slope(const double* k) { return {k[0], 2.0 * k[1], 3.0 * k[2], 4.0 * k[3]}; }
+  static std::array<double, 4> derivative_of(const double* k) { return {k[0], 2.0 * k[1], 3.0 * k[2], 4.0 * k[3]}; }
 
   /// rho(theta) = radius, from the lens without k2..k4.
   static bool angle_of_radius(const double* p, double radius, double& theta) {
-    const std::array<double, 4> slope_coefficients = slope(p);
+    const std::array<double, 4> derivative_coefficients = derivative_of(p);
     const auto rho = [&](double x, double& value, double& derivative) {
       value = x * (p[0] + x * (p[1] + x * (p[2] + x * p[3])));
-      derivative = evaluate_polynomial(slope_coefficients, x);
+      derivative = evaluate_polynomial(derivative_coefficients, x);
     };
-    const auto inside = [&](double x) { return x < std::numbers::pi && positive_on(slope_coefficients, x); };
+    const auto inside = [&](double x) { return x < std::numbers::pi && positive_on(derivative_coefficients, x); };
     return invert_inside(
         rho, radius, radius / p[0], inside, [&] { return max_angle(p); }, theta);
   }

@@ -23,7 +23,7 @@ enum class Blame {
 struct Contradiction {
   PoseLoop loop;               ///< Its edge is the wrong pose, or without blame the last of the loop that was read.
   Blame blame = Blame::kNone;  ///< Of that edge.
-  Code mistake = {};           ///< Of pose_slips(), if it explains that edge; kPoseHoldsInverse: inverting it resolves it.
+  Code mistake = {};           ///< Of pose_mistakes(), if it explains that edge; kPoseHoldsInverse: inverting it resolves it.
   Severity severity = Severity::kWarning;  ///< An error above 0.5 deg or 1 cm, and of a mistake.
   /// Without blame: in Rig::poses, those of which a mistake would explain it.
   std::vector<std::size_t> candidates = {};

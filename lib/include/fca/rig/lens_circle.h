@@ -13,7 +13,7 @@ struct LensCircle {
   double radius_px = 0.0;
   double rim_share = 0.0;  ///< Of the rim inside the image: how much of it was seen, 0 to 1.
   double rms_px = 0.0;     ///< Of what was seen of the rim, from the circle.
-  Message why = {};        ///< What shows it, a clause: "the lit circle of a.png".
+  Message why = {};        ///< What shows it, a clause: "the image circle of a.png".
   /// Of the light that falls within a tenth of the radius about the rim, what falls at the rim itself: near 1 at a lens's edge,
   /// near 0 where a glow or a vignette ends somewhere.
   double sharpness = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the facts of a rig may be, as problem_with() of camera_model.h says it of parameters. Beyond these limits a number is a
-// slip of the pen or has another unit, and what follows from it (an inverse pose, baseline times focal length) overflows.
+// common mistake or has another unit, and what follows from it (an inverse pose, baseline times focal length) overflows.
 // Readers ask at the number's place, the command of its options, writers of the whole rig.
 #pragma once
 

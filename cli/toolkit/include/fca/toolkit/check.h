@@ -30,7 +30,7 @@ struct CheckResult {
 /// Checks one file. Files that it names as parts of it (CheckReport::parts) are checked by requests of their own.
 [[nodiscard]] CheckResult check(const CheckRequest& request, const text::Source& source, Files& files);
 
-/// The file with every fix that is certain (fca::mended); nothing if there is none.
+/// The file with every fix that is certain (fca::fixed_source); nothing if there is none.
 [[nodiscard]] std::optional<text::Source> with_fixes(const CheckRequest& request, const text::Source& source);
 
 }  // namespace fca

@@ -38,7 +38,7 @@ struct ConvertedCamera {
   /// The share of the image that the target does not reach; 0 where nobody notices.
   [[nodiscard]] double unrepresented_share() const {
     constexpr double kNoticeable = 5e-4;
-    const double share = report ? report->judgement.coverage.unrepresentable : 0.0;
+    const double share = report ? report->statistics.coverage.unrepresentable : 0.0;
     return share > kNoticeable ? share : 0.0;
   }
 };
@@ -94,8 +94,8 @@ struct ConvertRequest {
   bool absorb_turn = false;   ///< A turn of each camera is fitted, too, and written into its poses; for Objective::kRms.
   bool fit_pair = false;  ///< A stereo pair is fitted together (fca/convert/pair_fit.h), turns included; for Objective::kRms.
   bool every_pixel = false;  ///< Errors are those of every pixel, not of a lattice of about 5,000 points.
-  /// Also what no verdict depends on: errors if the lens ended earlier (ConversionReport::reach), and whether the input's own
-  /// program would refuse the input.
+  /// Also what no verdict depends on: errors if the lens ended earlier (ConversionReport::max_angles), and whether the input's
+  /// own program would refuse the input.
   bool in_detail = false;
   /// ConvertOptions::errors_of_kept
   bool errors_of_kept = true;

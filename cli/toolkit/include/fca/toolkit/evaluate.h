@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The paper's tables and figures, recomputed: every row converted by the library and judged on every pixel.
+// The paper's tables and figures, recomputed: every row converted by the library and evaluated on every pixel.
 #pragma once
 
 #include <fca/toolkit/paper_tables.h>
@@ -85,10 +85,10 @@ struct EvaluatedPolynomial {
   Intrinsics<Ocamcalib> model;
   std::optional<FitSummary> fit;  ///< Nothing where it is published.
   double time_us = 0.0;
-  Judgement judgement;  ///< Against the source.
+  ErrorStatistics statistics;  ///< Against the source.
 };
 
-/// a2 of UCM's ray height a(r) on the axis, and what the authors' unprojection makes of it.
+/// a2 of UCM's ray height a(r) on the axis, and what the authors' unprojection computes from it.
 struct SignError {
   double right_a2 = 0.0;
   double wrong_a2 = 0.0;

@@ -34,11 +34,11 @@ inline constexpr int kPictureCells = 512;
 inline constexpr int kContourCells = 144;
 
 /// The error in pixels at each cell: the distance between its pixel and target(ray of the pixel in `source`). `limit_rad`: the
-/// angle at which the lens ends, if the caller gave one; `reach_rad`: cells further from the axis count as kUnrepresentable;
-/// `rotation`: takes the source's rays to the target's; null: they have the same frame.
-/// Nothing where the camera has no image size or sees nothing of it.
+/// angle at which the lens ends, if the caller gave one; `max_angle_rad`: cells further from the axis count as
+/// kUnrepresentable; `rotation`: takes the source's rays to the target's; null: they have the same frame. Nothing where the
+/// camera has no image size or sees nothing of it.
 [[nodiscard]] std::optional<ImageField> error_field(const Camera& source, const CameraModel& target,
-                                                    std::optional<double> limit_rad, double reach_rad, int most_cells,
+                                                    std::optional<double> limit_rad, double max_angle_rad, int most_cells,
                                                     const Transform* rotation = nullptr);
 
 /// The angle of each cell's ray from the axis, in degrees.
@@ -50,9 +50,9 @@ struct ProfilePoint {
   double rms_px = 0.0;
   double max_px = 0.0;
 };
-/// The profile from the axis to `reach_rad`, without angles that no pixel of the image has. `rotation`: takes rays in the
+/// The profile from the axis to `max_angle_rad`, without angles that no pixel of the image has. `rotation`: takes rays in the
 /// source's frame to the target's; null: both have the same frame.
-[[nodiscard]] std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel& target, double reach_rad,
+[[nodiscard]] std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel& target, double max_angle_rad,
                                                       const Transform* rotation = nullptr);
 
 /// The distance of the pixels of one angle from the principal point, in pixels: the mean over all azimuths.

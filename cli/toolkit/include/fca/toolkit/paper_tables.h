@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the paper prints: S. Lee, "Fisheye-Calib-Adapter: An Easy Tool for Fisheye Camera Model Conversion", 2024, Tables 1-3.
-// Only figures and cameras; what fca-io makes of them is in evaluation.h.
+// Only figures and cameras; evaluation.h has what fca-io computes from them.
 #pragma once
 
 #include <fca/rig/rig.h>
@@ -35,7 +35,8 @@ struct Row {
   double parameter_error = 0.0;        ///< "PE": L2 norm of the difference to a separate calibration's parameters.
   double psnr_db = 0.0;                ///< Of the paper's image, which is not ours, and of one recovered from it.
   double ssim = 0.0;
-  /// What the authors' program makes of it, judged on every 4th pixel of the image instead: our measurement, not the paper's.
+  /// What the authors' program computes, evaluated on every 4th pixel of the image instead: our measurement, not the
+  /// paper's.
   std::optional<ErrorFigures> authors_over_image;
   std::string_view why;  ///< Where the printed figures differ from the image's, and why.
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one program makes of a file: would it load it, which cameras does it see, and how far are they from what the file means?
+// What one program reads from a file: would it load it, which cameras does it see, and how far are they from what the file
+// means?
 #pragma once
 
 #include <fca/formats/calibration.h>

@@ -16,7 +16,7 @@ namespace fca {
 
 struct ReadRequest {
   Inputs inputs;
-  const consumers::Consumer* program = nullptr;  ///< What it makes of the file is asked, too; null: none.
+  const consumers::Consumer* program = nullptr;  ///< Also asked what it reads from the file; null: none.
 };
 
 /// What a file means if its four coefficients are those of this lens.

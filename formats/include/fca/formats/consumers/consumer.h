@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A consumer is a real program (Kalibr, ORB-SLAM3, ...) as a judge of bytes: would it load them, and what would it understand?
+// A consumer imitates a real program (Kalibr, ORB-SLAM3, ...): would it load those bytes, and what would it read from them?
 //
 // Consumers are written from the program's documented or observed behaviour and share no code with fca's models or text layer.
 // That independence is their whole worth: a mistake of ours cannot hide in both.
@@ -60,7 +60,7 @@ struct ConsumerImu {
   std::optional<double> rate_hz;
 };
 
-/// What a program has to say of one place of a file. fca/formats/wording.h words it.
+/// What a program reports about one place of a file. fca/formats/wording.h words it.
 struct Complaint {
   Complaint(Code code, std::string place, std::vector<Argument> arguments = {})
       : key(std::move(place)), facts{code, std::move(arguments)} {}
@@ -74,7 +74,7 @@ struct Complaint {
   bool costs_pixels = false;  ///< All that it means is that a misread camera's pixels are off.
 };
 
-/// What the program makes of a file.
+/// What the program reads from a file.
 struct ConsumerView {
   std::vector<Complaint> refusals;      ///< Why the program would not run with it. Empty: it loads.
   std::vector<Complaint> warnings;      ///< What it would silently misread or ignore.

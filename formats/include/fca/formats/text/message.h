@@ -56,7 +56,7 @@ using Wording = std::string_view (*)(Code code, Part part);
 
 /// What is wrong, one sentence.
 [[nodiscard]] std::string message_of(const Diagnostic& diagnostic, text::Wording wording = text::table_wording);
-/// How to mend it; may be empty.
+/// How to fix it; may be empty.
 [[nodiscard]] std::string fix_of(const Diagnostic& diagnostic, text::Wording wording = text::table_wording);
 
 }  // namespace fca

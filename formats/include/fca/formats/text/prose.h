@@ -18,7 +18,7 @@ namespace fca::text {
 /// one letter behind the first of a word of three and fewer.
 [[nodiscard]] std::vector<std::string> nearest(std::string_view typed, std::span<const std::string> names);
 
-/// Is `typed` the word `meant` but for a slip of the hand: a letter lost, too many, wrong, or exchanged with its neighbour, or
+/// Is `typed` the word `meant` but for a common mistake: a letter lost, too many, wrong, or exchanged with its neighbour, or
 /// the case of letters? Digits are no letters (Camera1 is not Camera2), and short words (k1) have too many neighbours.
 [[nodiscard]] bool is_misspelling(std::string_view typed, std::string_view meant);
 
