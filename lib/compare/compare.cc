@@ -127,19 +127,32 @@ std::vector<ParameterComparison> parameters_of(const CameraModel& reference, con
   return rows;
 }
 
-/// Without its differences.
-std::optional<BestRotation> best_rotation_of(const PreparedPair& pair, std::optional<double> distance_m) {
-  const std::optional<Transform> found = internal::best_rotation(pair.cameras.reference.model, pair.cameras.other.model,
-                                                                 pair.focus ? *pair.focus : pair.field_of_view, distance_m);
+/// The rotation (at a distance, the motion) with which the two come nearest within `region`, and the differences that it
+/// leaves.
+std::optional<internal::LensTurn> turn_of(const PreparedPair& pair, const FieldOfView& region, std::optional<double> distance_m,
+                                          const CompareOptions& options) {
+  const CameraModel& reference = pair.cameras.reference.model;
+  const CameraModel& other = pair.cameras.other.model;
+  const std::optional<Transform> found = internal::best_rotation(reference, other, region, distance_m);
   const std::optional<Transform> T_reference_other = found ? inverse(*found) : std::nullopt;
   if (!T_reference_other) return std::nullopt;
-  BestRotation best;
+  internal::LensTurn turn;
+  BestRotation& best = turn.rotation;
   best.T_other_reference = *found;
   best.vector_rad = rotation_vector(*found);
   best.angle_rad = std::hypot(best.vector_rad[0], best.vector_rad[1], best.vector_rad[2]);
   best.distance_m = distance_m;
   best.centre_m = translation_of(*T_reference_other);
-  return best;
+  const internal::ModelPair as_moved = {reference, other, &best.T_other_reference, distance_m};
+  const EvaluateOptions unproven = {.every_pixel = options.every_pixel, .bound = false};
+  best.difference = internal::difference_of(as_moved, pair.field_of_view, unproven);
+  if (pair.focus) turn.in_focus = internal::difference_of(as_moved, *pair.focus, unproven);
+  return turn;
+}
+
+void set_turn(CameraComparison& comparison, internal::LensTurn turn) {
+  comparison.rotated = std::move(turn.rotation);
+  if (comparison.focus) comparison.focus->rotated = std::move(turn.in_focus);
 }
 
 CameraComparison comparison_of(const PreparedPair& pair, const CompareOptions& options) {
@@ -164,15 +177,19 @@ CameraComparison comparison_of(const PreparedPair& pair, const CompareOptions& o
                                    internal::difference_of(as_they_are, *pair.focus, evaluated), std::nullopt};
   }
   if (reference.model == other.model) return result;
-  std::optional<BestRotation> best = best_rotation_of(pair, options.distance_m);
-  if (!best) return result;
-  const internal::ModelPair as_moved = {reference.model, other.model, &best->T_other_reference, options.distance_m};
-  EvaluateOptions unproven = evaluated;
-  unproven.bound = false;
-  best->difference = internal::difference_of(as_moved, pair.field_of_view, unproven);
-  if (pair.focus) result.focus->rotated = internal::difference_of(as_moved, *pair.focus, unproven);
-  result.rotated = std::move(best);
+  std::optional<internal::LensTurn> turn =
+      turn_of(pair, pair.focus ? *pair.focus : pair.field_of_view, options.distance_m, options);
+  if (turn) set_turn(result, *std::move(turn));
   return result;
+}
+
+/// The turn of the whole lens, whatever part of it and whatever distance the options ask for: a turn that went into a pose is
+/// one of all rays.
+std::optional<internal::LensTurn> whole_turn_of(const PreparedPair& pair, const CameraComparison& comparison,
+                                                const CompareOptions& options) {
+  if (!comparison.rotated) return std::nullopt;
+  if (!pair.focus && !options.distance_m) return internal::LensTurn{*comparison.rotated, std::nullopt};
+  return turn_of(pair, pair.field_of_view, std::nullopt, options);
 }
 
 /// The cameras of a rig, matched and, where they can be, prepared.
@@ -324,14 +341,18 @@ std::optional<CameraComparison> compare(const Camera& reference, const Camera& o
 RigComparison compare(const Rig& reference, const Rig& other, const CompareOptions& options, Diagnostics& diagnostics) {
   RigComparison result;
   RigPair rigs{reference, other, internal::match(reference, other, options.by_order), {}};
+  std::vector<std::optional<internal::LensTurn>> turns;  // as result.cameras
   for (const internal::Match& match : rigs.matching.cameras) {
     rigs.cameras.push_back(prepared(reference.cameras[match.reference], other.cameras[match.other], options, diagnostics));
-    if (rigs.cameras.back()) result.cameras.push_back(comparison_of(*rigs.cameras.back(), options));
+    if (!rigs.cameras.back()) continue;
+    const PreparedPair& pair = *rigs.cameras.back();
+    result.cameras.push_back(comparison_of(pair, options));
+    turns.push_back(whole_turn_of(pair, result.cameras.back(), options));
   }
   const internal::PoseTask poses(reference, other, rigs.matching);
   internal::compare_poses(poses, result);
   internal::compare_facts(reference, other, rigs.matching, result);
-  const std::optional<Rig> turned = internal::fold_turns(poses, result);
+  const std::optional<Rig> turned = internal::fold_turns(poses, turns, result);
   find_mistakes(rigs, turned ? internal::PoseTask(*turned, other, rigs.matching) : poses, result);
   list_unmatched(rigs, result);
   if (result.cameras.empty() && result.poses.empty() && result.facts.empty() && !diagnostics.has_errors()) {

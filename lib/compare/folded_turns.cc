@@ -9,21 +9,25 @@ namespace fca::internal {
 
 namespace {
 
-using Cameras = std::vector<CameraComparison*>;
+struct TurnedCamera {
+  CameraComparison* camera;
+  const LensTurn* turn;
+};
+
+using Cameras = std::vector<TurnedCamera>;
 
 /// A tenth of the rms and more: a model may be off by more than the turn.
-bool explains_rays(const CameraComparison& camera) {
+bool explains_rays(const CameraComparison& camera, const LensTurn& turn) {
   constexpr double kExplainsRays = 0.9;
-  const CameraDifference* rotated = camera.counted_rotated();
-  if (rotated == nullptr || !(rotated->statistics.coverage.scored > 0.0)) return false;
-  return rotated->statistics.error.rms < kExplainsRays * camera.counted().statistics.error.rms;
+  const ErrorStatistics& left = turn.rotation.difference.statistics;
+  return left.coverage.scored > 0.0 && left.error.rms < kExplainsRays * camera.difference.statistics.error.rms;
 }
 
 /// The reference with other frames of these cameras: those in which the other file has their lenses.
 Rig with_turns(const Rig& reference, const Cameras& turned) {
   Rig rig = reference;
-  for (const CameraComparison* camera : turned) {
-    const Transform& T_other_reference = camera->rotated->T_other_reference;
+  for (const auto& [camera, turn] : turned) {
+    const Transform& T_other_reference = turn->rotation.T_other_reference;
     const Transform T_reference_other = inverse(T_other_reference).value();
     for (PoseEdge& edge : rig.poses) {
       if (edge.a == camera->reference) edge.T_a_b = T_other_reference * edge.T_a_b;
@@ -67,7 +71,7 @@ Cameras cancelling(Cameras candidates, const PoseTask& poses, const std::vector<
   while (!candidates.empty()) {
     const std::vector<PoseComparison> folded = compared_with(with_turns(poses.reference, candidates), poses);
     if (folded.size() != stated.size()) return {};
-    const auto share = [&](const CameraComparison* camera) { return remaining_share(*camera, stated, folded); };
+    const auto share = [&](const TurnedCamera& turned) { return remaining_share(*turned.camera, stated, folded); };
     const auto least = std::ranges::max_element(candidates, {}, share);
     if (share(*least) <= kExplainsPoses) break;
     candidates.erase(least);
@@ -77,17 +81,20 @@ Cameras cancelling(Cameras candidates, const PoseTask& poses, const std::vector<
 
 }  // namespace
 
-std::optional<Rig> fold_turns(const PoseTask& poses, RigComparison& result) {
+std::optional<Rig> fold_turns(const PoseTask& poses, const std::vector<std::optional<LensTurn>>& turns, RigComparison& result) {
   Cameras candidates;
-  for (CameraComparison& camera : result.cameras) {
-    if (explains_rays(camera)) candidates.push_back(&camera);
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    CameraComparison& camera = result.cameras[i];
+    if (turns[i] && explains_rays(camera, *turns[i])) candidates.push_back({&camera, &*turns[i]});
   }
   const Cameras turned = cancelling(std::move(candidates), poses, result.poses);
   if (turned.empty()) return std::nullopt;
   Rig reference = with_turns(poses.reference, turned);
   const std::vector<PoseComparison> folded = compared_with(reference, poses);
-  for (CameraComparison* camera : turned) {
+  for (const auto& [camera, turn] : turned) {
     camera->turn_cancels = true;
+    camera->rotated = turn->rotation;
+    if (camera->focus) camera->focus->rotated = turn->in_focus;
     for (std::size_t i = 0; i < folded.size(); ++i) {
       if (is_of(folded[i], *camera)) result.poses[i].remaining = PoseDistance{folded[i].angle_rad, folded[i].distance_m};
     }

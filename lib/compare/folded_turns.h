@@ -8,13 +8,21 @@
 #include <fca/rig/rig.h>
 
 #include <optional>
+#include <vector>
 
 namespace fca::internal {
 
-/// Finds the cameras of `result` whose best rotation R (CameraComparison::rotated) explains most of what their rays differ by,
-/// and whose poses differ by the same R: other.T_cam_x = R reference.T_cam_x. A pose between two such cameras has a turn of
-/// each. Sets turn_cancels, and PoseComparison::remaining of their poses, and returns the reference as it is with these turns;
-/// nothing where there is none. `result` has the comparisons of cameras and poses.
-[[nodiscard]] std::optional<Rig> fold_turns(const PoseTask& poses, RigComparison& result);
+/// A turn of a lens.
+struct LensTurn {
+  BestRotation rotation;
+  std::optional<CameraDifference> in_focus;  ///< The differences that it leaves of the rays in focus, where some are.
+};
+
+/// Finds the cameras of `result` whose turn R explains most of what their rays differ by, and whose poses differ by the same
+/// R: other.T_cam_x = R reference.T_cam_x. A pose between two such cameras has a turn of each. Sets turn_cancels and the turn
+/// itself of these cameras, and PoseComparison::remaining of their poses. Returns the reference as it is with these turns;
+/// nothing where there is none. `turns`: of the whole lens of each camera of `result`, of points infinitely far away.
+[[nodiscard]] std::optional<Rig> fold_turns(const PoseTask& poses, const std::vector<std::optional<LensTurn>>& turns,
+                                            RigComparison& result);
 
 }  // namespace fca::internal

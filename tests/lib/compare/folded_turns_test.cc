@@ -163,6 +163,38 @@ TEST(FoldedTurns, APosesOfTwoCamerasHasTheTurnsOfBoth) {
   }
 }
 
+// The turn is one of the whole lens, whatever part of it counts and whatever shift the points' distance would allow.
+TEST(FoldedTurns, NeitherFocusNorDistanceHidesIt) {
+  for (const char* model : {"kb4", "ds", "eucm"}) {
+    const Camera camera = tilted("cam0", 1.0);
+    const Turned other = turned(camera, model);
+    const Rig reference = rig_of({camera}, {{"cam0", "imu0", kCam0Imu}});
+    const Rig rig = rig_of({other.camera}, {{"cam0", "imu0", other.T_new_old * kCam0Imu}});
+    const RigComparison plain = compared(reference, rig);
+    ASSERT_TRUE(plain.cameras.front().turn_cancels);
+    for (const std::optional<double> distance_m : {std::optional<double>(), std::optional(1.0), std::optional(20.0)}) {
+      for (const std::optional<double> focus_rad :
+           {std::optional<double>(), std::optional(10.0 * kRadians), std::optional(30.0 * kRadians)}) {
+        SCOPED_TRACE(std::string(model) + ", distance " + std::to_string(distance_m.value_or(0.0)) + ", focus " +
+                     std::to_string(focus_rad.value_or(0.0)));
+        CompareOptions options;
+        options.distance_m = distance_m;
+        options.focus_rad = focus_rad;
+        const RigComparison result = compared(reference, rig, options);
+        const CameraComparison& lens = result.cameras.front();
+        ASSERT_TRUE(lens.turn_cancels);
+        EXPECT_EQ(lens.rotated->T_other_reference, plain.cameras.front().rotated->T_other_reference);
+        EXPECT_FALSE(lens.rotated->distance_m);
+        EXPECT_EQ(result.poses.front().remaining->angle_rad, plain.poses.front().remaining->angle_rad);
+        EXPECT_EQ(lens.focus.has_value(), focus_rad.has_value());
+        if (lens.focus) {
+          EXPECT_EQ(&lens.decisive(), &*lens.focus->rotated);
+        }
+      }
+    }
+  }
+}
+
 // cam1's poses are turned with its lens, cam0's are not.
 TEST(FoldedTurns, EachCameraIsForItself) {
   const std::vector<Camera> cameras = {tilted("cam0", 1.0), tilted("cam1", -1.0)};

@@ -92,7 +92,7 @@ struct CameraComparison {
   std::optional<BestRotation> rotated;   ///< Nothing for identical cameras.
   std::optional<FocusComparison> focus;  ///< If CompareOptions::focus_rad says so.
   /// The other's poses of this camera turn back by what its lens is turned: together they see the world as the reference's do,
-  /// but for what `rotated` leaves. Only in a comparison of rigs.
+  /// but for what `rotated` leaves, which then is the whole lens's rotation, without a distance. Only in a comparison of rigs.
   bool turn_cancels = false;
 
   /// Of the rays that count: those in focus, or all.
