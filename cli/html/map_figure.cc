@@ -4,7 +4,7 @@
 #include "colour_scale.h"
 #include "contours.h"
 #include "nice_numbers.h"
-#include "pictures/pictures.h"
+#include "pictures/png.h"
 #include "shell/base64.h"
 
 #include <algorithm>
@@ -32,21 +32,35 @@ double share_of(const ColourScale& scale, double value) {
   return (value - scale.from) / (scale.to - scale.from);
 }
 
+/// The scale's colours, and those behind them.
+constexpr std::uint8_t kScaleColours = 250;
+enum Behind : std::uint8_t { kTransparent = kScaleColours, kOnStripe, kNextToStripe };
+
+std::vector<Rgba> palette() {
+  const auto opaque = [](const Rgb& colour) { return Rgba{colour[0], colour[1], colour[2], 0xFF}; };
+  std::vector<Rgba> colours;
+  for (int i = 0; i < kScaleColours; ++i) colours.push_back(opaque(viridis(static_cast<double>(i) / (kScaleColours - 1))));
+  colours.push_back({});  // outside the lens the page shows through
+  colours.push_back(opaque(kStripe));
+  colours.push_back(opaque(kBetweenStripes));
+  return colours;
+}
+
+std::uint8_t scale_colour(double share) {
+  return static_cast<std::uint8_t>(std::lround((share > 0.0 ? std::min(share, 1.0) : 0.0) * (kScaleColours - 1)));
+}
+
 Picture picture_of(const MapFigure& figure) {
   const ImageField& field = figure.field;
-  Picture picture{field.columns, field.rows, {}};
-  picture.rgba.resize(4 * field.parts.size());
-  auto pixel = picture.rgba.begin();
+  Picture picture{field.columns, field.rows, palette(), {}};
+  picture.colours.assign(field.parts.size(), kTransparent);
   for (int row = 0; row < field.rows; ++row) {
     for (int column = 0; column < field.columns; ++column) {
       const std::size_t i = field.index(column, row);
-      Rgb colour{};
+      std::uint8_t& colour = picture.colours[i];
       if (field.parts[i] == Part::kUnrepresentable)
-        colour = (column + row) % kStripePeriod < kStripeWidth ? kStripe : kBetweenStripes;
-      if (field.parts[i] == Part::kScored) colour = viridis(share_of(figure.scale, field.values[i]));
-      pixel = std::ranges::copy(colour, pixel).out;
-      // Outside the lens the page shows through.
-      *pixel++ = field.parts[i] == Part::kOutsideLens ? 0 : 0xFF;
+        colour = (column + row) % kStripePeriod < kStripeWidth ? kOnStripe : kNextToStripe;
+      if (field.parts[i] == Part::kScored) colour = scale_colour(share_of(figure.scale, field.values[i]));
     }
   }
   return picture;

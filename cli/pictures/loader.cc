@@ -24,8 +24,6 @@ const PictureFunctions& functions() {
 
 }  // namespace
 
-std::string png(const Picture& picture) { return functions().png(picture); }
-
 std::optional<Image> decoded(const std::string& bytes) { return functions().decoded(bytes); }
 
 std::optional<std::string> encoded(const Image& image, const std::string& extension) {

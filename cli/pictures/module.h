@@ -7,7 +7,6 @@
 namespace fca::cli {
 
 struct PictureFunctions {
-  std::string (*png)(const Picture& picture);
   std::optional<Image> (*decoded)(const std::string& bytes);
   std::optional<std::string> (*encoded)(const Image& image, const std::string& extension);
   std::optional<Image> (*remapped)(const Image& image, const ImageMap& map, Interpolation interpolation);

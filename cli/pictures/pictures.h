@@ -9,25 +9,13 @@
 
 #include <fca/remap/image_map.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace fca::cli {
 
-/// Rows from the top, four bytes per pixel: red, green, blue, opacity.
-struct Picture {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> rgba;
-};
-
-/// The bytes of a PNG file. Throws consumers::MissingModule where the installation lacks the module.
-[[nodiscard]] std::string png(const Picture& picture);
-
-// The following throw MissingModule, too.
+// All throw consumers::MissingModule where the installation lacks the module.
 
 /// The image in a file's bytes; nothing where that is none, not a whole one, or one of a kind that Image does not hold. As it
 /// is stored: an orientation that a camera has noted beside it turns nothing.

@@ -8,9 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace fca {
 
@@ -20,35 +21,71 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// Rounding error [rad] of an angle at the edge of the scored part.
 constexpr double kSameAngle = 1e-9;
 
-/// The value at a pixel with that ray; nullopt if the target cannot represent it.
-using ValueOf = std::function<std::optional<double>(const Pixel&, const Ray&)>;
-
-std::optional<ImageField> field_of(const Camera& camera, std::optional<double> limit_rad, int most_cells,
-                                   const ValueOf& value_of) {
-  Diagnostics discarded;
-  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, limit_rad, discarded);
-  if (!field_of_view) return std::nullopt;
+/// A field in which no cell is scored, over the image of the camera's field of view.
+ImageField empty_field(const ImageSize& image, int most_cells) {
   ImageField field;
-  field.image = field_of_view->size;
-  const double scale = std::min(1.0, static_cast<double>(most_cells) / std::max(field.image.width, field.image.height));
-  field.columns = std::max(1, static_cast<int>(std::lround(scale * field.image.width)));
-  field.rows = std::max(1, static_cast<int>(std::lround(scale * field.image.height)));
+  field.image = image;
+  const double scale = std::min(1.0, static_cast<double>(most_cells) / std::max(image.width, image.height));
+  field.columns = std::max(1, static_cast<int>(std::lround(scale * image.width)));
+  field.rows = std::max(1, static_cast<int>(std::lround(scale * image.height)));
   const auto cells = static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows);
   field.values.assign(cells, kNone);
   field.parts.assign(cells, Part::kOutsideLens);
-  const Lens lens(camera.model);
-  const AngleLimit limit(field_of_view->max_angle_rad);
+  return field;
+}
+
+/// The cells of a field whose rays are inside the lens.
+struct LensCells {
+  std::vector<std::size_t> cells;  ///< Indices into the field.
+  std::vector<double> pixels;      ///< u, v of each.
+  std::vector<double> rays;        ///< x, y, z of each, in the camera's frame.
+
+  [[nodiscard]] std::size_t size() const { return cells.size(); }
+  [[nodiscard]] Pixel pixel(std::size_t i) const { return {pixels[2 * i], pixels[2 * i + 1]}; }
+  [[nodiscard]] Ray ray(std::size_t i) const { return {rays[3 * i], rays[3 * i + 1], rays[3 * i + 2]}; }
+  void add(std::size_t cell, const Pixel& pixel, const Ray& ray) {
+    cells.push_back(cell);
+    pixels.insert(pixels.end(), pixel.begin(), pixel.end());
+    rays.insert(rays.end(), ray.begin(), ray.end());
+  }
+};
+
+LensCells cells_in_lens(const ImageField& field, const CameraModel& model, const FieldOfView& field_of_view) {
+  LensCells lit;
   for (int row = 0; row < field.rows; ++row) {
     for (int column = 0; column < field.columns; ++column) {
       const Pixel pixel = field.pixel(column, row);
-      const std::optional<Ray> ray = field_of_view->is_lit(pixel) ? lens.ray(pixel) : std::nullopt;
-      if (!ray || !limit.admits(*ray)) continue;
-      const std::optional<double> value = value_of(pixel, *ray);
-      field.parts[field.index(column, row)] = value ? Part::kScored : Part::kUnrepresentable;
-      if (value) field.values[field.index(column, row)] = *value;
+      if (field_of_view.is_lit(pixel)) lit.add(field.index(column, row), pixel, {kNone, kNone, kNone});
     }
   }
-  return field;
+  unproject_all(model, lit.pixels, lit.rays);
+  const AngleLimit limit(field_of_view.max_angle_rad);
+  LensCells inside;
+  for (std::size_t i = 0; i < lit.size(); ++i) {
+    const Ray ray = lit.ray(i);
+    if (std::isfinite(ray[2]) && limit.admits(ray)) inside.add(lit.cells[i], lit.pixel(i), ray);
+  }
+  return inside;
+}
+
+/// The field of view of a camera with its cells; nothing where the camera has no image size or sees nothing of it.
+struct CameraField {
+  ImageField field;
+  LensCells inside;
+
+  void set(std::size_t i, double value) {
+    field.parts[inside.cells[i]] = Part::kScored;
+    field.values[inside.cells[i]] = value;
+  }
+};
+
+std::optional<CameraField> field_of(const Camera& camera, std::optional<double> limit_rad, int most_cells) {
+  Diagnostics discarded;
+  const std::optional<FieldOfView> field_of_view = field_of_view_of(camera, limit_rad, discarded);
+  if (!field_of_view) return std::nullopt;
+  CameraField result{empty_field(field_of_view->size, most_cells), {}};
+  result.inside = cells_in_lens(result.field, camera.model, *field_of_view);
+  return result;
 }
 
 /// The unit ray at that angle from the axis and azimuth [rad].
@@ -63,18 +100,34 @@ double around(int i) { return 2.0 * std::numbers::pi * i / kAround; }
 
 std::optional<ImageField> error_field(const Camera& source, const CameraModel& target, std::optional<double> limit_rad,
                                       double max_angle_rad, int most_cells, const Transform* rotation) {
+  std::optional<CameraField> result = field_of(source, limit_rad, most_cells);
+  if (!result) return std::nullopt;
+  const LensCells& inside = result->inside;
+  std::vector<double> rays = inside.rays;
+  if (rotation != nullptr) {
+    for (std::size_t i = 0; i < inside.size(); ++i)
+      std::ranges::copy(rotated(*rotation, inside.ray(i)), rays.begin() + static_cast<std::ptrdiff_t>(3 * i));
+  }
+  std::vector<double> pixels(inside.pixels.size());
+  project_all(target, rays, pixels);
   const AngleLimit max_angle(max_angle_rad + kSameAngle);
-  return field_of(source, limit_rad, most_cells, [&](const Pixel& pixel, const Ray& ray) -> std::optional<double> {
-    if (!max_angle.admits(ray)) return std::nullopt;
-    const std::optional<Pixel> there = project(target, rotation != nullptr ? rotated(*rotation, ray) : ray);
-    if (!there) return std::nullopt;
-    return std::hypot((*there)[0] - pixel[0], (*there)[1] - pixel[1]);
-  });
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    const double error = std::hypot(pixels[2 * i] - inside.pixels[2 * i], pixels[2 * i + 1] - inside.pixels[2 * i + 1]);
+    if (max_angle.admits(inside.ray(i)) && !std::isnan(error)) {
+      result->set(i, error);
+    } else {
+      result->field.parts[inside.cells[i]] = Part::kUnrepresentable;
+    }
+  }
+  return std::move(result->field);
 }
 
 std::optional<ImageField> angle_field(const Camera& camera, std::optional<double> limit_rad, int most_cells) {
-  return field_of(camera, limit_rad, most_cells,
-                  [](const Pixel&, const Ray& ray) { return std::optional(angle_from_axis(ray) * kDegreesPerRadian); });
+  std::optional<CameraField> result = field_of(camera, limit_rad, most_cells);
+  if (!result) return std::nullopt;
+  for (std::size_t i = 0; i < result->inside.size(); ++i)
+    result->set(i, angle_from_axis(result->inside.ray(i)) * kDegreesPerRadian);
+  return std::move(result->field);
 }
 
 std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel& target, double max_angle_rad,
