@@ -25,6 +25,8 @@ constexpr std::array kOfAnyFrame = {AxisNames{"towards -x", "towards +x"}, AxisN
 /// x right, y down, z forward.
 constexpr std::array kOfACamera = {AxisNames{"to the left", "to the right"}, AxisNames{"above", "below"},
                                    AxisNames{"behind", "ahead"}};
+/// Those of kOfACamera that take no "of": "1 cm behind cam0", but "1 cm ahead of cam0".
+constexpr std::array<std::string_view, 3> kPrepositions = {"above", "below", "behind"};
 constexpr std::array kViewInAnyFrame = {AxisNames{"looks along -x", "looks along +x"},
                                         AxisNames{"looks along -y", "looks along +y"},
                                         AxisNames{"looks along -z", "looks along +z"}};
@@ -38,14 +40,17 @@ constexpr double kNoticeableDeg = 0.005;
 std::string position_in_words(const Placement& placement) {
   const auto& names = placement.frame_is_camera ? kOfACamera : kOfAnyFrame;
   std::vector<std::string> parts;
+  std::string_view last;
   for (int axis = 0; axis < 3; ++axis) {
     const double centimetres = 100.0 * placement.T_frame_thing(axis, 3);
     if (std::abs(centimetres) < kNoticeableCm) continue;
     const AxisNames& name = names.at(static_cast<std::size_t>(axis));
-    parts.push_back(fixed(std::abs(centimetres), 2) + " cm " + std::string(centimetres < 0.0 ? name.negative : name.positive));
+    last = centimetres < 0.0 ? name.negative : name.positive;
+    parts.push_back(fixed(std::abs(centimetres), 2) + " cm " + std::string(last));
   }
   if (parts.empty()) return "sits where " + placement.frame + " is";
-  return "sits " + enumerated(parts, "and") + " of " + placement.frame;
+  const bool takes_of = std::ranges::find(kPrepositions, last) == kPrepositions.end();
+  return "sits " + enumerated(parts, "and") + (takes_of ? " of " : " ") + placement.frame;
 }
 
 /// By how much a camera is turned about its axis against the frame's, whose y is down as its own is: positive as a clock's

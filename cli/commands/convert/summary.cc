@@ -7,11 +7,13 @@
 #include "shell/words.h"
 
 #include <fca/code.h>
+#include <fca/compare/report.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace fca::cli {
 
@@ -150,8 +152,36 @@ void add_removed(const ConvertResult& outcome, std::vector<SummaryLine>& lines) 
   if (!cameras.empty()) lines.push_back({"left out", enumerated(cameras) + " of the input"});
 }
 
+/// A turn in the poses that makes the worst fit much better, where its error matters.
+std::optional<std::string> offered_turn(const ConvertResult& outcome) {
+  const auto& entries = outcome.diagnostics.entries();
+  const bool is_offered =
+      std::ranges::any_of(entries, [](const Diagnostic& entry) { return entry.facts.code == Code::kTurnWouldHelp; });
+  double worst_px = kSamePx;
+  std::optional<std::string> text;
+  for (const ConvertedCamera& camera : outcome.cameras) {
+    if (!is_offered || !camera.report || !camera.report->turn_offer) continue;
+    const double rms_px = camera.report->statistics.error.rms;
+    if (rms_px <= worst_px) continue;
+    worst_px = rms_px;
+    text = "--absorb-rotation: " + pixels(camera.report->turn_offer->rms_px) + " px rms, not " + pixels(rms_px) + " (turns " +
+           name_in_words(camera) + " by " + text::format_short(camera.report->turn_offer->angle_deg, 2) + " deg, in its poses)";
+  }
+  return text;
+}
+
+/// Pixels that nothing could compare.
+void add_not_compared(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
+  const auto is_blind = [](const ProofResult& proof) {
+    return proof.is_first && proof.loads && proof.agrees() && !proof.without_cameras && proof.compared_share == 0.0;
+  };
+  if (std::ranges::any_of(outcome.proofs, is_blind))
+    lines.push_back({"pixels", "not compared: no input contains the image's size (--size WxH)"});
+}
+
 /// What would be better for the pixels.
 void add_better_ways(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
+  if (const std::optional<std::string> turn = offered_turn(outcome)) return lines.push_back({"better", *turn});
   for (const Reason& reason : outcome.verdict.reasons) {
     if (reason.remedy.code != Code::kFitInsideAngle && reason.remedy.code != Code::kRewrittenIs) continue;
     lines.push_back({"better", text::text_of(reason.remedy, with_options)});
@@ -260,6 +290,7 @@ std::string summary_lines(const ConvertResult& outcome, bool is_short) {
   for (SummaryLine& line : lines_of(verdict, false)) lines.push_back(std::move(line));
   add_refusals(outcome, lines);
   add_pair(outcome, lines);
+  add_not_compared(outcome, lines);
   add_limits(outcome, lines);
   add_given_lens(outcome, lines);
   add_other_writings(outcome, lines);

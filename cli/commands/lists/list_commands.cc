@@ -278,7 +278,7 @@ std::string candidates_text(const Camera& camera, const std::vector<Candidate>& 
   }
   const auto is_of_circle = [](const Candidate& each) { return each.conversion && each.in_circle && reaches_all(each); };
   if (std::ranges::any_of(candidates, is_of_circle))
-    text += "  --max-angle: fitted to the circle alone; without it, to the whole image\n";
+    text += "  --max-angle: fitted up to that angle only, wrong beyond; without it, to the whole image\n";
   for (const Candidate& candidate : candidates) {
     if (candidate.conversion) continue;
     const std::vector<Diagnostic>& why = candidate.diagnostics.entries();
