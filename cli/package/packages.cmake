@@ -48,7 +48,7 @@ fca_package(command fca-io science "converter and checker of camera calibration 
   "fca-io reads camera calibrations of Kalibr, OpenCV, OCamCalib, ROS, COLMAP and\nothers, says what they mean, writes them for another program with another\ncamera model if need be, and proves that the program understands the result."
   RECOMMENDS "fca-io-images (= ${PROJECT_VERSION})")
 fca_package(images fca-io-images science "images for fca-io"
-  "What fca-io needs to read and to write images: undistorted pictures, pages with\npictures, and lens circles found in images."
+  "What fca-io needs to read and to write images: undistorted pictures, and lens\ncircles found in images."
   DEPENDS "${own}")
 fca_package(dev libfca-dev libdevel "camera calibration library (development files)"
   "Static libraries, headers and the CMake package of fca-io: camera models, fits\nwith proven bounds, the formats, and all that the command does as functions.\nThere is no promise about the binary interface before 1.0."
