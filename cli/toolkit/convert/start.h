@@ -25,7 +25,8 @@ struct Start {
   std::vector<Finding> findings;    ///< Findings about the meaning of the input.
   /// The rig of `input` before its cameras were reordered and a contradicting pose was removed.
   Rig rig_of_input;
-  std::optional<Contradiction> outvoted;  ///< Of the pose that was removed from `input`; nullopt if none was.
+  std::optional<Contradiction> outvoted;  ///< Names the pose that was removed from `input`; nullopt if none was.
+  /// Caches that the tries share.
   std::unique_ptr<KnownConversions> known = std::make_unique<KnownConversions>();
   std::unique_ptr<LoadedViews> views = std::make_unique<LoadedViews>();
 };

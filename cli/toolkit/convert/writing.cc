@@ -130,6 +130,7 @@ class Writing {
         views_(*start.views),
         result_(result) {}
 
+  /// Takes all steps. The last one, prove(), has no errors of its own: it reports what the programs read.
   [[nodiscard]] bool run() {
     if (!fit() || !write() || !place()) return false;
     if (request_.verify) prove();

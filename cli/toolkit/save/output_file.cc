@@ -144,7 +144,7 @@ class StagedFile {
 
 /// Where the bytes for a path go, and what exists there.
 struct Place {
-  std::string target;  ///< The path after following symbolic links.
+  std::string target;  ///< The path after following symbolic links; for a device, the path itself.
   bool exists = false;
   bool is_device = false;                  ///< The existing file is a device or a pipe.
   std::optional<mode_t> permissions = {};  ///< Of the existing file; nullopt if there is none.
