@@ -130,7 +130,7 @@ class Writing {
         views_(*start.views),
         result_(result) {}
 
-  /// Takes all steps. The last one, prove(), has no errors of its own: it reports what the programs read.
+  /// Takes all steps. prove() returns nothing: its errors and the status kRejected are in result_, and the files remain.
   [[nodiscard]] bool run() {
     if (!fit() || !write() || !place()) return false;
     if (request_.verify) prove();
