@@ -14,7 +14,8 @@ namespace fca {
 
 namespace {
 
-/// The options with which a file with cameras, or one without, is checked.
+/// The options of the check. `with_cameras`: which reader of the request's program is asked, the one of files with cameras or
+/// the one of files without.
 CheckOptions options_for(const CheckRequest& request, bool with_cameras) {
   CheckOptions options;
   options.reading = read_options(request.inputs);
@@ -27,35 +28,36 @@ CheckOptions options_for(const CheckRequest& request, bool with_cameras) {
   return options;
 }
 
-/// True if the request's program reads another format.
+/// True if the check found that the request's program does not read the format of the file.
 bool is_for_another_format(const CheckReport& report) {
   return std::ranges::any_of(report.findings,
                              [](const Finding& finding) { return finding.facts.code == Code::kProgramOtherFormat; });
 }
 
-/// A conversion of the file to another layout of its format, if the program reads that with smaller errors; nullopt if not.
-std::optional<ConvertResult> better_writing(const CheckResult& checked, const CheckRequest& request, Files& files) {
+/// The preview of a fresh file of the same format, written for the program that reads the checked file. nullopt unless that
+/// program misreads a camera of the checked file noticeably and reads the fresh file better.
+std::optional<ConvertResult> preview_of_better_file(const CheckResult& checked, const CheckRequest& request, Files& files) {
   const CheckReport& report = checked.report;
   if (!report.proof || !report.proof->loads || report.format->layouts.empty() || checked.source.name == text::kStandardInput)
     return std::nullopt;
-  constexpr double kNoticeable = 0.25;  // largest distance, px
-  double worst = 0.0;
+  constexpr double kNoticeablePx = 0.25;  // a smaller largest distance between the pixels of a camera is not reported
+  double worst_px = 0.0;
   for (const CameraProof& camera : report.proof->cameras) {
-    if (camera.misread) worst = std::max(worst, camera.distance.decisive().max);
+    if (camera.misread) worst_px = std::max(worst_px, camera.distance.decisive().max);
   }
-  if (worst <= kNoticeable) return std::nullopt;
-  const auto all = consumers::all_consumers();
-  const auto program = std::ranges::find(all, report.proof->program, &consumers::Consumer::program);
-  if (program == all.end()) return std::nullopt;
+  if (worst_px <= kNoticeablePx) return std::nullopt;
+  const auto programs = consumers::all_consumers();
+  const auto program = std::ranges::find(programs, report.proof->program, &consumers::Consumer::program);
+  if (program == programs.end()) return std::nullopt;
   ConvertResult other = preview_conversion(checked.source.name, request.inputs, *program, files, true);
   if (other.status != Status::kDone) return std::nullopt;
   const bool is_better =
-      other.verdict.word < report.verdict.word || (other.verdict.word == report.verdict.word && other.max_px <= kNoticeable);
+      other.verdict.word < report.verdict.word || (other.verdict.word == report.verdict.word && other.max_px <= kNoticeablePx);
   return is_better ? std::optional(std::move(other)) : std::nullopt;
 }
 
-/// True if the file contains poses of cameras but none of their lenses.
-bool is_of_rigs(const CheckReport& report) {
+/// True if the file contains no lens: it has no cameras, or the program reports it as a file of poses between cameras.
+bool has_no_lens(const CheckReport& report) {
   if (report.holds_no_camera) return true;
   return report.proof && std::ranges::any_of(report.proof->refusals, [](const consumers::Complaint& refusal) {
            return refusal.facts.code == Code::kColmapSaysRigFile;
@@ -70,8 +72,8 @@ CheckResult check(const CheckRequest& request, const text::Source& source, Files
     result.report = check_file(source, options_for(request, false));
   if (request.program != nullptr && source.name != text::kStandardInput && is_for_another_format(result.report))
     result.instead = preview_conversion(source.name, request.inputs, *request.program, files);
-  result.is_opened = request.program == nullptr || !request.program->writing.lenses_alone || !is_of_rigs(result.report);
-  if (request.program == nullptr) result.instead = better_writing(result, request, files);
+  result.is_opened = request.program == nullptr || !request.program->writing.lenses_alone || !has_no_lens(result.report);
+  if (request.program == nullptr) result.instead = preview_of_better_file(result, request, files);
   return result;
 }
 

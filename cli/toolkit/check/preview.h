@@ -8,8 +8,8 @@
 
 namespace fca {
 
-/// The result of converting a file for `program`, without the files themselves: for a program that does not read the file's
-/// format or, with `rewrite`, reads another layout of it better.
+/// Converts a file for `program` and returns the result without its files. `rewrite`: write a fresh file even if the text of
+/// the input could be edited.
 [[nodiscard]] ConvertResult preview_conversion(const std::string& file, const Inputs& inputs,
                                                const consumers::Consumer& program, Files& files, bool rewrite = false);
 

@@ -10,15 +10,15 @@ namespace fca {
 void list_assumed_units(const Calibration& calibration, const Format& to, Written& written) {
   if (to.leaves_unit_open() || !to.extrinsics) return;
   const Rig& rig = calibration.rig;
-  std::size_t held = 0;
-  for (const Written::File& file : written.files) held += file.cameras.size();
-  // A pose between cameras needs two of them in the files, a pose in the IMU needs one.
-  const bool posed = std::ranges::any_of(rig.poses, [&rig, held](const PoseEdge& pose) {
+  std::size_t written_cameras = 0;
+  for (const Written::File& file : written.files) written_cameras += file.cameras.size();
+  // The files contain a pose between two cameras only if both are in the files, and a pose of the IMU if one camera is.
+  const bool has_pose = std::ranges::any_of(rig.poses, [&rig, written_cameras](const PoseEdge& pose) {
     const bool has_imu =
         std::ranges::any_of(rig.imus, [&pose](const Imu& imu) { return imu.name == pose.a || imu.name == pose.b; });
-    return has_imu ? held > 0 : held > 1;
+    return has_imu ? written_cameras > 0 : written_cameras > 1;
   });
-  if (posed && !calibration.poses_without_unit.empty())
+  if (has_pose && !calibration.poses_without_unit.empty())
     written.defaults.push_back({"translation unit", Message{Code::kTakenAsMetres}, true, true});
 }
 

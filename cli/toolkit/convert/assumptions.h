@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Assumptions about facts that the files of a format never contain.
+// Reports facts that a conversion assumed because files of the input's format never contain them.
 #pragma once
 
 #include <fca/formats/calibration.h>
 
 namespace fca {
 
-/// The translation T of OpenCV's stereo files is in the unit of the calibration board, which no file contains. If such a pose
-/// is written to another format, adds to written.defaults that metres were assumed, so that the user can check it.
+/// The translation T in OpenCV's stereo files has the unit of the calibration board's size, and no file contains that unit. If
+/// such a pose is written to a format with a known unit, adds an entry to written.defaults which tells the user to check that
+/// the translation is in metres. `to`: the format of the written files.
 void list_assumed_units(const Calibration& calibration, const Format& to, Written& written);
 
 }  // namespace fca

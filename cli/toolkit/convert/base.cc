@@ -11,8 +11,8 @@
 namespace fca {
 
 std::optional<Calibration> read_into(const ConvertRequest& request, Files& files, ConvertResult& result) {
-  if (const std::vector<std::string> sensors = rig_files_in(request.into); !sensors.empty()) {
-    result.diagnostics.add(Code::kIntoFolder, {sensors.size(), sensors}, {request.into, 0, 0});
+  if (const std::vector<std::string> rig_files = rig_files_in(request.into); !rig_files.empty()) {
+    result.diagnostics.add(Code::kIntoFolder, {rig_files.size(), rig_files}, {request.into, 0, 0});
     result.status = Status::kBadRequest;
     return std::nullopt;
   }
@@ -38,7 +38,7 @@ std::optional<Calibration> read_into(const ConvertRequest& request, Files& files
 
 namespace {
 
-/// The frames that the poses connect, in the order of the poses.
+/// The names of the frames that the poses connect, each once, in the order of the poses.
 std::vector<std::string> frames_of(const Rig& rig) {
   std::vector<std::string> frames;
   for (const PoseEdge& pose : rig.poses) {
@@ -53,9 +53,9 @@ std::vector<std::string> frames_of(const Rig& rig) {
 
 bool base_poses_are_known(const Calibration& into, const Rig& rig, const std::string& input, ConvertResult& result) {
   if (!into.rig.cameras.empty() || has_common_pose(into.rig, rig)) return true;
-  std::vector<Message> one;
-  if (rig.cameras.size() < 2) one.push_back({Code::kHasOneCamera});
-  result.diagnostics.add(Code::kIntoWithoutPose, {input, one, into.documents.front().source().name, frames_of(into.rig)},
+  std::vector<Message> reason;
+  if (rig.cameras.size() < 2) reason.push_back({Code::kHasOneCamera});
+  result.diagnostics.add(Code::kIntoWithoutPose, {input, reason, into.documents.front().source().name, frames_of(into.rig)},
                          {input, 0, 0});
   return false;
 }
@@ -66,15 +66,15 @@ bool keeps_text(const ConvertRequest& request, const Base& base) {
 
 namespace {
 
-/// True if the format needs one model for all cameras and a camera of the base remains, so that the input's cameras must share
-/// its model. With a mode given that camera may not be written.
-bool shares_model(const ConvertRequest& request, const Base& base, const Rig& input, const Format& to) {
+/// True if the input's cameras must get the model of the base's cameras: the format has one model for all cameras of a file,
+/// and a camera of the base stays in the file. If the request gives a mode, the writer may drop that camera.
+bool needs_model_of_base(const ConvertRequest& request, const Base& base, const Rig& input, const Format& to) {
   return to.one_model && keeps_text(request, base) && !request.mode && base.into->rig.cameras.size() > input.cameras.size();
 }
 
-/// True if the first of the joined files is edited and the other files' cameras are added to it: they all have the target's
-/// format.
-bool edits_first(const Calibration& calibration, const ConvertRequest& request, const Format& to) {
+/// True if the first of several joined input files is edited and the cameras of the others are added to it. For this, all files
+/// must have the target's format, and that format must hold several cameras in one file.
+bool edits_first_file(const Calibration& calibration, const ConvertRequest& request, const Format& to) {
   return request.inputs.join && !request.rewrite && calibration.one_format && calibration.format == &to && to.many_cameras &&
          calibration.with_cameras == 0;
 }
@@ -84,8 +84,9 @@ bool edits_first(const Calibration& calibration, const ConvertRequest& request, 
 std::vector<std::string> models_for(const ConvertRequest& request, const Base& base, const Rig& input, const Format& to) {
   std::vector<std::string> models;
   if (!keeps_text(request, base) || to.layout_holds == nullptr || base.into->rig.cameras.empty()) return models;
-  const std::string_view own = model_info(base.into->rig.cameras.front().model).id;
-  if (find_stored_model(to, own, true) == nullptr || shares_model(request, base, input, to)) return {std::string(own)};
+  const std::string_view model_of_base = model_info(base.into->rig.cameras.front().model).id;
+  if (find_stored_model(to, model_of_base, true) == nullptr || needs_model_of_base(request, base, input, to))
+    return {std::string(model_of_base)};
   for (const StoredModel& stored : to.models) {
     if (stored.stock && to.layout_holds(*base.document, stored.model)) models.emplace_back(stored.model);
   }
@@ -97,7 +98,7 @@ bool holds_model(const ConvertRequest& request, const Base& base, const Rig& inp
   const ModelInfo* asked = request.model;
   const std::vector<std::string> models = models_for(request, base, input, to);
   if (asked == nullptr || models.empty()) return true;
-  if (shares_model(request, base, input, to) && asked->id != models.front()) {
+  if (needs_model_of_base(request, base, input, to) && asked->id != models.front()) {
     diagnostics.add(Code::kModelsDiffer, {models.front(), to.title}, {request.into, 0, 0});
     return false;
   }
@@ -109,8 +110,8 @@ bool holds_model(const ConvertRequest& request, const Base& base, const Rig& inp
 bool sizes_agree(const Calibration& base, const Calibration& input, const Rig& rig, const ConvertRequest& request,
                  Diagnostics& diagnostics) {
   if (request.inputs.change.resize) return true;
-  const auto& bytes = base.documents.front().source().bytes;
-  if (!request.inputs.change.changes_nothing() && input.documents[input.with_cameras].source().bytes == bytes) return true;
+  const auto& base_bytes = base.documents.front().source().bytes;
+  if (!request.inputs.change.changes_nothing() && input.documents[input.with_cameras].source().bytes == base_bytes) return true;
   const bool has_size =
       std::ranges::any_of(base.rig.cameras, [](const Camera& camera) { return camera.image_size.has_value(); });
   for (const Camera& camera : input.rig.cameras) {
@@ -133,11 +134,12 @@ bool sizes_agree(const Calibration& base, const Calibration& input, const Rig& r
 bool is_edit_of_base(const ConvertRequest& request, const Base& base, const Written& written, Diagnostics& diagnostics) {
   if (base.into == nullptr) return true;
   const text::Document& document = written.files.front().document;
-  const bool words = base.document->syntax() == text::Syntax::kWords;
-  const bool kept = words ? document.syntax() == text::Syntax::kWords
-                          : document.source().bytes == base.document->source().bytes || !keeps_text(request, base);
+  const bool is_plain_text = base.document->syntax() == text::Syntax::kWords;
+  const bool kept = is_plain_text ? document.syntax() == text::Syntax::kWords
+                                  : document.source().bytes == base.document->source().bytes || !keeps_text(request, base);
   if (kept) return true;
-  diagnostics.add(words ? Code::kIntoDoesNotFitWords : Code::kIntoDoesNotFit, {base.into->format->id}, {request.into, 0, 0});
+  diagnostics.add(is_plain_text ? Code::kIntoDoesNotFitWords : Code::kIntoDoesNotFit, {base.into->format->id},
+                  {request.into, 0, 0});
   return false;
 }
 
@@ -145,7 +147,7 @@ Base base_of(const ConvertRequest& request, const Calibration& input, const std:
              const Format& to) {
   if (into) return {&into->documents.front(), &*into};
   const text::Document& main_file = input.documents[input.with_cameras];
-  const bool one_file = request.inputs.files.size() == 1 || edits_first(input, request, to);
+  const bool one_file = request.inputs.files.size() == 1 || edits_first_file(input, request, to);
   if (!one_file || !is_base_of(*input.format, main_file, to)) return {};
   return {&main_file, nullptr, input.format != &to};
 }

@@ -10,8 +10,8 @@ namespace fca {
 
 namespace {
 
-/// True if the file contains the name; false if its reader makes it up.
-bool is_stated(const Written::File& file, const std::string& name) {
+/// True if the name is a top-level key of the file; false if the reader of the file made it up.
+bool contains_name(const Written::File& file, const std::string& name) {
   const std::optional<text::Document> document = text::as_edited(file.document);
   return document && text::find_entry(document->root(), name, text::Dialect::kPyYaml) != nullptr;
 }
@@ -26,7 +26,8 @@ void name_as_written(const Format& format, const Written& written, std::vector<C
       const std::string& name = file.says->cameras[i].name;
       const auto camera =
           std::ranges::find_if(cameras, [&](const ConvertedCamera& each) { return each.source.name == file.cameras[i]; });
-      if (camera != cameras.end() && (file.cameras.size() > 1 || is_stated(file, name))) camera->name_in_file = name;
+      // A single camera whose name is not in the file keeps the name of the input.
+      if (camera != cameras.end() && (file.cameras.size() > 1 || contains_name(file, name))) camera->name_in_file = name;
     }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The names of cameras in the written files, if they differ from those in the input.
+// The names that cameras have in the written files, which may differ from their names in the input.
 #pragma once
 
 #include <fca/formats/format.h>
@@ -9,8 +9,8 @@
 
 namespace fca {
 
-/// Sets ConvertedCamera::name_in_file to the cameras' names in the written files, if these contain names or number the cameras:
-/// a chain begins with cam0, whichever camera that is.
+/// Sets ConvertedCamera::name_in_file of each camera that has a name or a number in a written file. Example: the first camera
+/// of a Kalibr camchain is always cam0. Does nothing for formats with one camera per file.
 void name_as_written(const Format& format, const Written& written, std::vector<ConvertedCamera>& cameras);
 
 }  // namespace fca

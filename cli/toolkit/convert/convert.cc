@@ -21,7 +21,8 @@ namespace fca {
 
 namespace {
 
-/// Advises a model that older versions of the program read too, with its error; an empty message if there is none.
+/// The advice to use a model that every version of the program reads, with the error of its fit. An empty message if there is
+/// no such model.
 Message remedy_of_version(const ConvertRequest& request, const Start& start, const ConvertResult& result) {
   std::vector<Camera> sources;
   for (const ConvertedCamera& camera : result.cameras) sources.push_back(camera.source);
@@ -29,8 +30,8 @@ Message remedy_of_version(const ConvertRequest& request, const Start& start, con
   return best_of_every_version(sources, *result.to, choice).value_or(Message());
 }
 
-/// Adds to each diagnostic about a lens that its model does not cover which models would be better. lib/ cannot do that: it
-/// does not know which models the program reads.
+/// Adds a remedy to each diagnostic about a lens that its model does not cover: the models that would be better. lib/, which
+/// adds these diagnostics, does not know which models the program reads.
 void name_better_models(const ConvertRequest& request, const Start& start, ConvertResult& result) {
   ConvertRequest chosen = request;
   if (!result.layout.empty()) chosen.layout = FormatLayout::find(*result.to, result.layout);
@@ -50,7 +51,8 @@ void name_better_models(const ConvertRequest& request, const Start& start, Conve
   result.diagnostics = std::move(named);
 }
 
-/// The result with a fresh file instead of the edited text of the input; nullopt if that fails or the programs do not load it.
+/// The result of the same conversion if it writes a fresh file instead of editing a text. nullopt if it fails or if a program
+/// does not load the file. `before`: the result before anything was written.
 std::optional<ConvertResult> rewritten(const ConvertRequest& request, const Start& start, const ConvertResult& before) {
   ConvertRequest rewriting = request;
   rewriting.rewrite = true;
@@ -62,8 +64,9 @@ std::optional<ConvertResult> rewritten(const ConvertRequest& request, const Star
   return other;
 }
 
-/// The verdict if the only errors are poses that are mirror images: no file can contain them. The input can be read, so that it
-/// is not bad input but a calibration that cannot be used. nullopt if there are other errors.
+/// The verdict for an input whose only errors are poses that are mirror images instead of rotations. No file can contain such a
+/// pose. The input is readable, so that the verdict is "do not use" and the status is not kBadInput. nullopt if there are other
+/// errors, or none.
 std::optional<Verdict> verdict_on_mirrors(const ConvertResult& result) {
   Verdict verdict;
   verdict.word = VerdictWord::kDoNotUse;
@@ -75,30 +78,34 @@ std::optional<Verdict> verdict_on_mirrors(const ConvertResult& result) {
   return verdict.reasons.empty() ? std::nullopt : std::optional(std::move(verdict));
 }
 
-/// The name of the format's own program if the files are for another one although the request names no program, layout or base.
-/// Empty otherwise. A request for a format that has its program's name also names the program (OKVIS).
-std::string_view not_written_for(const ConvertRequest& request, const ConvertResult& result) {
-  const bool is_asked_for = request.program != nullptr || request.layout || !request.into.empty();
+/// The name of the format's own program if the files are for another program although the request names no program, layout or
+/// base. Otherwise empty. It is also empty if the format's id is the id of the program that the files are for (OKVIS): the
+/// request then named that program.
+std::string_view own_program_not_served(const ConvertRequest& request, const ConvertResult& result) {
+  const bool is_explicit = request.program != nullptr || request.layout || !request.into.empty();
   const consumers::Consumer* own = consumers::own_program(result.to->id, true);
-  if (is_asked_for || own == nullptr || result.files.empty() || result.files.front().programs.empty()) return {};
+  if (is_explicit || own == nullptr || result.files.empty() || result.files.front().programs.empty()) return {};
   const consumers::Consumer* first = consumers::find_consumer(result.files.front().programs.front());
   const bool is_for_another =
       first != nullptr && first->cameras && first->format == own->format && first != own && first->id != result.to->id;
   return is_for_another ? own->program : std::string_view();
 }
 
+/// True if the image size of a camera is unknown.
 bool lacks_size(const Start& start) {
   return std::ranges::any_of(start.input.rig.cameras, [](const Camera& camera) { return !camera.image_size; });
 }
 
+/// True if the rate of an IMU is unknown.
 bool lacks_rate(const Start& start) {
   return std::ranges::any_of(start.input.rig.imus, [](const Imu& imu) { return !imu.rate_hz; });
 }
 
-/// Adds the remedy of a fresh file if the edited text is refused, not to be used, or for another program.
+/// Adds the remedy "write a fresh file" to reasons of the verdict that a fresh file would resolve: the program refuses the
+/// edited text or reads it with large errors, or the text is for another program.
 void offer_fresh_file(const ConvertRequest& request, const Start& start, const ConvertResult& before,
                       const ConvertResult& result, Verdict& verdict) {
-  // The diagnostic that a program refused the file already before the edit, if there is one. It becomes the remedy.
+  // The diagnostic which reports that the program already refused the file before the edit. Its facts become the remedy.
   const std::vector<Diagnostic>& entries = result.diagnostics.entries();
   const auto refused = std::ranges::find_if(entries, [](const Diagnostic& entry) {
     return entry.facts.code == Code::kInputNotUnderstood || entry.facts.code == Code::kEditNotProven;
@@ -117,7 +124,7 @@ void offer_fresh_file(const ConvertRequest& request, const Start& start, const C
       reason.remedy = fresh ? refused->facts : demands;
     if (is_in_place && needs_program(reason)) {
       if (!fresh) reason.remedy = demands;
-      if (fresh && not_written_for(request, *fresh).empty())
+      if (fresh && own_program_not_served(request, *fresh).empty())
         reason.remedy = {Code::kRewrittenFor, {reason.facts.arguments.back(), fresh->rms_px, fresh->max_px}};
     }
     const bool is_far_off = reason.distance && word_of(*reason.distance) == VerdictWord::kDoNotUse;
@@ -126,19 +133,20 @@ void offer_fresh_file(const ConvertRequest& request, const Start& start, const C
   }
 }
 
+/// Adds the remedies that need more than the reason itself, for example another conversion.
 void add_remedies(const ConvertRequest& request, const Start& start, const ConvertResult& before, const ConvertResult& result,
                   Verdict& verdict) {
   offer_fresh_file(request, start, before, result, verdict);
   const auto needs_version = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsVersion; };
-  const bool needs_one = std::ranges::any_of(verdict.reasons, needs_version);
-  const Message older = needs_one ? remedy_of_version(request, start, result) : Message();
+  const bool is_too_new = std::ranges::any_of(verdict.reasons, needs_version);
+  const Message other_model = is_too_new ? remedy_of_version(request, start, result) : Message();
   const auto& entries = result.diagnostics.entries();
   for (Reason& reason : verdict.reasons) {
-    const auto unreached = std::ranges::find_if(entries, [&reason](const Diagnostic& entry) {
+    const auto uncovered = std::ranges::find_if(entries, [&reason](const Diagnostic& entry) {
       return entry.facts.code == Code::kTargetCannotReach && entry.facts.arguments.front() == Argument(reason.camera);
     });
-    if (reason.facts.code == Code::kVerdictNoRays && unreached != entries.end()) reason.remedy = unreached->remedy;
-    if (needs_version(reason)) reason.remedy = older;
+    if (reason.facts.code == Code::kVerdictNoRays && uncovered != entries.end()) reason.remedy = uncovered->remedy;
+    if (needs_version(reason)) reason.remedy = other_model;
     const std::string_view right_name =
         request.program != nullptr ? request.program->writing.equidistant_file_name : std::string_view();
     if (reason.facts.code == Code::kVerdictPixelsOff && !right_name.empty()) reason.remedy = {Code::kNameTheFile, {right_name}};
@@ -149,6 +157,8 @@ void add_remedies(const ConvertRequest& request, const Start& start, const Conve
   }
 }
 
+/// All findings: those about the input, the diagnostics that the conversion added to `before`, and those about the fitted
+/// cameras.
 std::vector<Finding> findings_of(const Start& start, const ConvertResult& before, const ConvertResult& result) {
   std::vector<Finding> findings = start.findings;
   add_findings(std::span(result.diagnostics.entries()).subspan(before.diagnostics.entries().size()), findings);
@@ -162,6 +172,7 @@ std::vector<Finding> findings_of(const Start& start, const ConvertResult& before
   return findings;
 }
 
+/// The verdict on the written files, with its remedies. The findings of `result` must be complete.
 Verdict verdict_of(const ConvertRequest& request, const Start& start, const ConvertResult& before,
                    const ConvertResult& result) {
   VerdictFacts facts;
@@ -170,8 +181,8 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.proofs = result.proofs;
   facts.is_asked = request.verify;
   facts.has_reader = result.unproven.empty();
-  facts.not_for = not_written_for(request, result);
-  // A request for a model that only forks read is a request for these forks.
+  facts.not_for = own_program_not_served(request, result);
+  // A request that names a model which only forks of the program read is a request for these forks.
   facts.is_named = request.into.empty() && request.model == nullptr;
   facts.losses = result.losses;
   facts.defaults = result.defaults;
@@ -199,10 +210,11 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   return verdict;
 }
 
-/// Writes the layout that is chosen without the settings, if that layout has their keys and the usual one has not. False if
-/// that is not so.
-bool write_where_settings_fit(const ConvertRequest& request, const Start& start, const ConvertResult& before,
-                              ConvertResult& result) {
+/// If the usual layout lacks the key of a setting: writes the files in the layout that would be chosen without the settings,
+/// with the settings in it. Returns false, and leaves `result` unchanged, if no key was missing or that layout lacks the key
+/// too.
+bool write_layout_with_set_keys(const ConvertRequest& request, const Start& start, const ConvertResult& before,
+                                ConvertResult& result) {
   const bool lacks_key = std::ranges::any_of(result.diagnostics.entries(),
                                              [](const Diagnostic& entry) { return entry.facts.code == Code::kSetUnknownKey; });
   if (!lacks_key || request.layout || !request.into.empty() || !request.verify) return false;
@@ -212,34 +224,35 @@ bool write_where_settings_fit(const ConvertRequest& request, const Start& start,
   if (!write_as_asked(without, start, chosen)) return false;
   try_other_layouts(without, start, before, chosen);
   if (chosen.layout.empty() || chosen.cameras.empty()) return false;
-  ConvertRequest asked = request;
-  asked.layout = FormatLayout::find(*result.to, chosen.layout);
-  if (asked.model == nullptr) asked.model = &model_info(chosen.cameras.front().target.model);
+  ConvertRequest with_layout = request;
+  with_layout.layout = FormatLayout::find(*result.to, chosen.layout);
+  if (with_layout.model == nullptr) with_layout.model = &model_info(chosen.cameras.front().target.model);
   ConvertResult other = before;
-  if (!write_as_asked(asked, start, other)) return false;
+  if (!write_as_asked(with_layout, start, other)) return false;
   result = std::move(other);
   result.layout = chosen.layout;
   result.others = std::move(chosen.others);
   return true;
 }
 
+/// Makes the whole conversion. Returns false after an error that leaves no files.
 bool run(const ConvertRequest& asked, Files& files, ConvertResult& result) {
   Start start;
   std::jthread programs;
   ConvertRequest request = asked;
   if (!read_start(request, files, start, programs, result)) return false;
   if (!read_weight_image(start.input.rig, files, request, result.diagnostics)) return false;
-  if (!has_sigmas(request, start.input.rig, result)) return false;
+  if (!has_needed_covariances(request, start.input.rig, result)) return false;
   const ConvertResult before = result;
   const bool is_written = write_as_asked(request, start, result);
-  if (!is_written && !write_where_settings_fit(request, start, before, result)) return false;
+  if (!is_written && !write_layout_with_set_keys(request, start, before, result)) return false;
   if (request.verify) {
     if (is_written) try_other_layouts(request, start, before, result);
     try_other_models(request, start, before, result);
     try_fit_in_circle(request, start, before, result);
   }
   name_better_models(request, start, result);
-  // With a base the cameras may have other names.
+  // With --into the cameras may have other names than in the input, by which the pair is found.
   if (request.into.empty()) result.pair = pair_error_of(start.input.rig, result);
   result.rms_px = worst_rms_px(result);
   result.max_px = worst_max_px(result);
@@ -252,7 +265,7 @@ bool run(const ConvertRequest& asked, Files& files, ConvertResult& result) {
   return true;
 }
 
-/// Replaces the result's files by the cameras as arguments of the program's command line.
+/// Replaces the files of the result by one text: each camera as arguments of the program's command line.
 void write_arguments(ConvertResult& result) {
   const ConvertedFile& written = result.files.front();
   Diagnostics ignored;

@@ -9,35 +9,36 @@ namespace fca {
 
 namespace {
 
-/// Adds the error of an input without cameras. Such a file was probably meant as a second input.
+/// Adds the error of an input without cameras. The message suggests to give the file as a second input.
 void explain_no_camera(const ConvertRequest& request, const Calibration& calibration, Diagnostics& diagnostics) {
   const Rig& rig = calibration.rig;
-  Message what{Code::kNoCameraAtAll};
+  Message content{Code::kNoCameraAtAll};
   if (!rig.imus.empty()) {
-    what = {Code::kImuAndNoCamera};
+    content = {Code::kImuAndNoCamera};
   } else if (!rig.poses.empty()) {
-    what = {Code::kPoseAndNoCamera, {rig.poses.size()}};
+    content = {Code::kPoseAndNoCamera, {rig.poses.size()}};
   }
   const std::string& input = request.inputs.files.front();
   const Message target =
       request.into.empty() ? Message{Code::kAsFormat, {request.to->id}} : Message{Code::kIntoFile, {request.into}};
-  diagnostics.add(Code::kNothingToConvert, {what, calibration.format->main_file, input, target}, {input, 0, 0});
+  diagnostics.add(Code::kNothingToConvert, {content, calibration.format->main_file, input, target}, {input, 0, 0});
 }
 
-bool contradicts(const ConvertRequest& request, const Calibration& calibration, ConvertResult& result) {
+/// True, with an error, if the request gives a baseline although the input has several cameras, whose poses give it.
+bool baseline_contradicts(const ConvertRequest& request, const Calibration& calibration, ConvertResult& result) {
   if (!request.baseline_m || calibration.rig.cameras.size() < 2) return false;
   result.diagnostics.add(Code::kBaselineOfSeveral, {calibration.rig.cameras.size()}, {request.inputs.files.front(), 0, 0});
   result.status = Status::kBadRequest;
   return true;
 }
 
-/// True, with an error, if the rig has one IMU and poses of another one: the pose of the first is unknown.
-bool imu_is_another(const Rig& rig, const std::string& input, Diagnostics& diagnostics) {
-  const auto is_posed = [&rig](const std::string& name) {
+/// True, with an error, if no IMU of the rig has a pose, but the poses contain an IMU of another name.
+bool has_pose_of_other_imu(const Rig& rig, const std::string& input, Diagnostics& diagnostics) {
+  const auto has_pose = [&rig](const std::string& name) {
     return std::ranges::any_of(rig.poses, [&name](const PoseEdge& edge) { return edge.a == name || edge.b == name; });
   };
   const auto is_imu = [&rig](const std::string& frame) { return rig.kind_of(frame) == FrameKind::kImu; };
-  if (rig.imus.empty() || std::ranges::any_of(rig.imus, is_posed, &Imu::name)) return false;
+  if (rig.imus.empty() || std::ranges::any_of(rig.imus, has_pose, &Imu::name)) return false;
   const auto other = std::ranges::find_if(rig.poses, [&](const PoseEdge& edge) { return is_imu(edge.a) || is_imu(edge.b); });
   if (other == rig.poses.end()) return false;
   const std::string& posed = is_imu(other->a) ? other->a : other->b;
@@ -54,7 +55,8 @@ bool input_is_convertible(const ConvertRequest& request, const Calibration& inpu
     explain_no_camera(request, input, result.diagnostics);
     return false;
   }
-  return !contradicts(request, input, result) && !imu_is_another(input.rig, request.inputs.files.front(), result.diagnostics);
+  return !baseline_contradicts(request, input, result) &&
+         !has_pose_of_other_imu(input.rig, request.inputs.files.front(), result.diagnostics);
 }
 
 }  // namespace fca

@@ -9,8 +9,8 @@
 
 namespace fca {
 
-/// False, with an error, if the input has no camera, has several although the request gives a baseline for one, or has an IMU
-/// that no pose connects while another one has poses.
+/// Returns false, with an error, in three cases: the input has no camera (and is no IMU file for a format that has such files);
+/// the request gives a baseline, but the input has several cameras; no IMU of the input has a pose, but another IMU has one.
 [[nodiscard]] bool input_is_convertible(const ConvertRequest& request, const Calibration& input, ConvertResult& result);
 
 }  // namespace fca

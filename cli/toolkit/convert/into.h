@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writing into an existing file (--into): facts of the input replace those of the file, the base.
+// Writing into an existing file (--into), which is called the base: facts of the input replace those of the base.
 #pragma once
 
 #include <fca/diagnostics.h>
@@ -11,24 +11,27 @@
 
 namespace fca {
 
-/// What remains of a base because the input does not have it, and which of its cameras do not remain.
+/// What put_into() kept of the base because the input does not have it, and which cameras of the base it replaced.
 struct Kept {
-  std::vector<std::string> names;     ///< The names of the rig's cameras in the result, in the rig's order.
-  std::vector<std::string> replaced;  ///< Cameras of the base that a camera of the input with another name replaces.
-  std::vector<std::string> cameras;
-  std::vector<PoseEdge> poses;            ///< Poses of the base whose camera the input replaces by another one.
-  std::optional<double> baseline_m = {};  ///< Baseline [m] of the base, if its first camera is replaced by another one.
+  std::vector<std::string> names;         ///< The input's cameras, in their order, by their names in the result.
+  std::vector<std::string> replaced;      ///< Names of the base's cameras that a camera with another name replaces.
+  std::vector<std::string> cameras;       ///< Names of the base's cameras that remain.
+  std::vector<PoseEdge> poses;            ///< Poses that remain although the input has another model for one of their cameras.
+  std::optional<double> baseline_m = {};  ///< The baseline [m] that remains although the first camera gets another model.
 };
 
-/// The rig that the file is to contain. Cameras of the rig replace those of the base with the same names. If no name is in the
-/// base, or with `in_order`, they replace them one by one and take the base's names, with a note. IMUs, poses, time offsets,
-/// rates and topics are those of the rig where it has them, otherwise those of the base. Cameras that only the base has remain.
+/// Returns the rig that the file is to contain. A camera of `rig` (the input) replaces the camera of the base with the same
+/// name. If no camera has the name of one in the base, or with `in_order`, the first camera of `rig` replaces the first one of
+/// the base, and so on; the cameras then get the names of the base, with a note. Further cameras of `rig` are added, and
+/// further cameras of the base remain. IMUs, poses, baseline, image sizes, time offsets, frame rates and topics come from `rig`
+/// if it has them, otherwise from the base. Fills `kept`.
 [[nodiscard]] Rig put_into(const Rig& base, Rig rig, bool in_order, Kept& kept, Diagnostics& diagnostics);
 
-/// Adds notes about what was kept of the base, as far as the written files contain it (a mode may have no place for it).
+/// Adds notes about cameras, poses and a baseline that were kept of the base, if the written files contain them.
 void report_kept(const Kept& kept, const Written& written, Diagnostics& diagnostics);
 
-/// True if the rig has one of the poses in `base`. A base that numbers its cameras is matched to the rig's cameras in order.
+/// True if the poses of `rig` determine one of the poses in `base`. A base without cameras may number them (cam0, ...): these
+/// numbers are then indices of the cameras in `rig`.
 [[nodiscard]] bool has_common_pose(const Rig& base, const Rig& rig);
 
 }  // namespace fca

@@ -16,8 +16,8 @@ struct Part {
   Rig rig;
 };
 
-/// The input files of that format that hold exactly one camera. Of a format whose files may hold several cameras only the plain
-/// text files count (TUM-VI's camera.txt), which hold one.
+/// The input files of the format that contain exactly one camera. If files of the format may hold several cameras, only its
+/// plain-text files are returned (TUM-VI's camera.txt), which always hold one.
 std::vector<Part> parts_of(const Calibration& source, const Format& format) {
   std::vector<Part> parts;
   for (std::size_t i = 0; i < source.documents.size(); ++i) {
@@ -30,16 +30,16 @@ std::vector<Part> parts_of(const Calibration& source, const Format& format) {
   return parts;
 }
 
-/// The file that the camera comes from; the end if there is none. Cameras of the same name get others when files are joined, so
-/// model and image size are compared instead. Of two equal cameras the first takes the first file.
-std::vector<Part>::iterator part_with(std::vector<Part>& parts, const Camera& camera) {
+/// Returns the file that the camera comes from, or parts.end() if there is none. Joining files may have renamed the camera, so
+/// that its model and image size are compared, not its name. If several files have an equal camera, returns the first file.
+std::vector<Part>::iterator file_of(std::vector<Part>& parts, const Camera& camera) {
   return std::ranges::find_if(parts, [&camera](const Part& part) {
     const Camera& in_file = part.rig.cameras.front();
     return in_file.model == camera.model && in_file.image_size == camera.image_size;
   });
 }
 
-/// The extra fields of the file. Those of its camera get the camera's name in the joined rig as their owner.
+/// The extra fields of the file. The owner of those that belong to its camera is the camera's name in the joined rig.
 std::vector<ExtraField> extras_of(const Part& part, const Camera& camera) {
   std::vector<ExtraField> extras = part.rig.extra_fields;
   const std::string& name_in_file = part.rig.cameras.front().name;
@@ -59,7 +59,7 @@ void remove_camera(const Part& part, const Camera& camera, Rig& rig) {
   std::erase_if(rig.cameras, [&camera](const Camera& other) { return other.name == camera.name; });
 }
 
-/// A rig of this camera alone with its poses, for its file: the camera has its name in that file.
+/// The rig to write into the camera's file: this camera alone, under its name in that file, with its poses from `rig`.
 Rig rig_of_camera(const Rig& rig, const Camera& camera, const Part& part) {
   const std::string& name = part.rig.cameras.front().name;
   Rig result = part.rig;
@@ -76,6 +76,7 @@ Rig rig_of_camera(const Rig& rig, const Camera& camera, const Part& part) {
   return result;
 }
 
+/// Adds the files, losses, defaults and restated poses of one file to those of all.
 void append(Written part, Written& all) {
   for (Written::File& file : part.files) all.files.push_back(std::move(file));
   if (!all.headline.is_said()) all.headline = std::move(part.headline);
@@ -84,7 +85,7 @@ void append(Written part, Written& all) {
   for (PoseEdge& edge : part.restated) all.restated.push_back(std::move(edge));
 }
 
-/// The input files of that format with an IMU and no camera; none if the format has no such files.
+/// The input files of the format that contain an IMU and no camera. Empty if the format has no such files.
 std::vector<Part> imu_parts_of(const Calibration& source, const Format& format) {
   std::vector<Part> parts;
   if (!format.imu_file) return parts;
@@ -96,8 +97,8 @@ std::vector<Part> imu_parts_of(const Calibration& source, const Format& format) 
   return parts;
 }
 
-/// Removes the IMUs of a file and its extra fields from the rig. A camera whose time offset is the one that the IMU's file
-/// gives (through format.complete) loses it, since that file keeps it.
+/// Removes the IMUs of a file and its extra fields from the rig. If a camera's time offset comes from the IMU file (through
+/// format.complete), removes it from the camera, since it stays in the IMU file.
 void remove_imus(const Part& part, const Format& format, std::vector<std::pair<Camera, Part>>& cameras, Rig& rig) {
   for (const ExtraField& extra : part.rig.extra_fields) {
     const auto found = std::ranges::find(rig.extra_fields, extra);
@@ -112,7 +113,7 @@ void remove_imus(const Part& part, const Format& format, std::vector<std::pair<C
   }
 }
 
-/// The rig of an IMU's file, with IMUs and poses as they are now in `rig`.
+/// The rig to write into an IMU file: the rig that it contains, with the values that its IMUs and poses have in `rig`.
 Rig rig_of_imus(const Part& part, const Rig& rig) {
   Rig result = part.rig;
   for (Imu& imu : result.imus) {
@@ -125,8 +126,8 @@ Rig rig_of_imus(const Part& part, const Rig& rig) {
   return result;
 }
 
-/// If several files would lie at the same place in their program's folder, none of them has a place.
-void forget_shared_places(std::vector<Written::File>& files) {
+/// Clears the place of files that have the same place in their program's folder.
+void clear_shared_places(std::vector<Written::File>& files) {
   std::vector<std::string> places;
   places.reserve(files.size());
   for (const Written::File& file : files) places.push_back(file.place);
@@ -148,10 +149,10 @@ std::optional<Written> write_each_into_its_own(const Calibration& source, const 
                                                const WriteOptions& options, Diagnostics& diagnostics) {
   if (format.many_cameras && options.extension != ".txt") return std::nullopt;
   std::vector<Part> parts = parts_of(source, format);
-  std::vector<std::pair<Camera, Part>> cameras;  // each with its file
-  Rig rest = rig;
+  std::vector<std::pair<Camera, Part>> cameras;  // each camera with the file that it comes from
+  Rig rest = rig;                                // what no input file of the format contains
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
-    const auto part = part_with(parts, source.rig.cameras[i]);
+    const auto part = file_of(parts, source.rig.cameras[i]);
     if (part == parts.end() && source.one_format) return std::nullopt;
     if (part == parts.end()) continue;
     remove_camera(*part, rig.cameras[i], rest);
@@ -164,7 +165,8 @@ std::optional<Written> write_each_into_its_own(const Calibration& source, const 
   Written all;
   for (const auto& [camera, part] : cameras) {
     Rig camera_rig = rig_of_camera(rig, camera, part);
-    // If every camera has a file, the first one gets what belongs to no camera (an IMU of another format's file).
+    // If every camera has a file, the first file gets what belongs to no camera, for example an IMU from a file of another
+    // format.
     if (rest.cameras.empty()) {
       camera_rig.imus = std::exchange(rest.imus, {});
       camera_rig.extra_fields.insert(camera_rig.extra_fields.end(), rest.extra_fields.begin(), rest.extra_fields.end());
@@ -188,7 +190,7 @@ std::optional<Written> write_each_into_its_own(const Calibration& source, const 
     append(*std::move(written), all);
   }
   sort_files(rig, all.files);
-  forget_shared_places(all.files);
+  clear_shared_places(all.files);
   return all;
 }
 

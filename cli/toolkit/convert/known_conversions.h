@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A cache of conversions. The layouts of a format are tried with the same cameras, which need only one fit.
+// A cache of conversions: when several layouts are tried with the same cameras, each camera is fitted only once.
 #pragma once
 
 #include <fca/convert/convert.h>
@@ -10,10 +10,10 @@
 
 namespace fca {
 
-/// Valid for one request. Thread-safe.
+/// The conversions of one request. Thread-safe.
 class KnownConversions {
  public:
-  /// Like fca::convert(), including the diagnostics.
+  /// Returns the result and adds the diagnostics of fca::convert(), which it calls only the first time.
   [[nodiscard]] std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& options,
                                                   Diagnostics& diagnostics);
 
@@ -22,12 +22,13 @@ class KnownConversions {
     Camera camera;
     ConvertOptions options;
     std::optional<Conversion> conversion;
-    Diagnostics found;
+    Diagnostics found;  ///< The diagnostics of the conversion.
   };
+  /// The cached conversion; null if there is none.
   [[nodiscard]] const Known* find(const Camera& camera, const ConvertOptions& options);
 
   std::mutex mutex_;
-  std::list<Known> known_;  ///< A list, so that pointers stay valid.
+  std::list<Known> known_;  ///< A list, so that pointers to its elements stay valid.
 };
 
 }  // namespace fca

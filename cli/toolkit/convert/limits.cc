@@ -11,12 +11,12 @@
 namespace fca {
 
 void warn_of_poor_fits(const ConvertRequest& request, ConvertResult& result) {
-  constexpr double kPoorRms = 1.0;   // px
-  constexpr double kPoorMax = 10.0;  // px
+  constexpr double kPoorRmsPx = 1.0;
+  constexpr double kPoorMaxPx = 10.0;
   for (const ConvertedCamera& camera : result.cameras) {
     if (!camera.report || camera.report->exact) continue;
     const ErrorSummary& error = camera.report->statistics.error;
-    if (error.rms <= kPoorRms && error.max <= kPoorMax) continue;
+    if (error.rms <= kPoorRmsPx && error.max <= kPoorMaxPx) continue;
     result.diagnostics.add(Code::kPoorFit,
                            {camera.source.name, camera.report->to_model, error.rms, error.max, request.inputs.files.front()});
   }
@@ -24,26 +24,27 @@ void warn_of_poor_fits(const ConvertRequest& request, ConvertResult& result) {
 
 namespace {
 
-/// The reason why the error of a fit is not known to be within the limit; nullopt if it is. The measured maximum counts only if
-/// the proven bound confirms it to 10 %: in an image one pixel wide the lattice may miss the worst ray.
+/// The reason why the largest error of a fit is not known to be within the limit [px]; nullopt if it is known. The measured
+/// maximum is used only if the proven bound exceeds it by at most 10 %: the lattice may miss the worst ray, for example in an
+/// image one pixel wide.
 std::optional<Message> beyond_limit(const ConvertedCamera& camera, double limit_px) {
   const ErrorSummary& error = camera.report->statistics.error;
-  constexpr double kConfirmed = 1.1;
+  constexpr double kConfirmedRatio = 1.1;
   if (error.max > limit_px) return Message{Code::kErrorBeyondLimit, {camera.source.name, error.max, limit_px}};
-  if (error.bound <= std::max(limit_px, kConfirmed * error.max)) return std::nullopt;
+  if (error.bound <= std::max(limit_px, kConfirmedRatio * error.max)) return std::nullopt;
   if (std::isinf(error.bound)) return Message{Code::kNoBoundBelowLimit, {camera.source.name, error.max, limit_px}};
   return Message{Code::kBoundBeyondLimit, {camera.source.name, error.max, error.bound, limit_px}};
 }
 
 }  // namespace
 
-bool has_sigmas(const ConvertRequest& request, const Rig& rig, ConvertResult& result) {
+bool has_needed_covariances(const ConvertRequest& request, const Rig& rig, ConvertResult& result) {
   if (!request.max_error_sigmas) return true;
   for (const Camera& camera : rig.cameras) {
-    const Uncertainty* stated = rig.find_uncertainty(camera.name);
-    if (camera.rays.empty() && stated != nullptr && stated->has_covariance()) continue;
+    const Uncertainty* uncertainty = rig.find_uncertainty(camera.name);
+    if (camera.rays.empty() && uncertainty != nullptr && uncertainty->has_covariance()) continue;
     Message why{Code::kSigmaOfNothing};
-    if (stated != nullptr) why = {Code::kSigmaOnlyLimit, {stated->where.file}};
+    if (uncertainty != nullptr) why = {Code::kSigmaOnlyLimit, {uncertainty->where.file}};
     if (!camera.rays.empty()) why = {Code::kSigmaOfRays};
     result.diagnostics.add(Code::kSigmaUnknown, {camera.name, why});
     result.status = Status::kBadRequest;
@@ -60,10 +61,10 @@ void apply_limits(const ConvertRequest& request, ConvertResult& result) {
   }
   for (const ConvertedCamera& camera : result.cameras) {
     if (!request.max_error_px || !camera.report) continue;
-    // A missing pixel exceeds every limit.
-    constexpr double kNoticeable = 1e-3;
+    // A pixel that the model cannot represent exceeds every limit.
+    constexpr double kNoticeableShare = 1e-3;  // of the image
     const double missing = camera.report->statistics.coverage.unrepresentable;
-    if (missing > kNoticeable || (camera.report->angle_reduced && missing > 0.0)) {
+    if (missing > kNoticeableShare || (camera.report->angle_reduced && missing > 0.0)) {
       std::vector<Message> instead;
       if (!request.inputs.lens_circles.empty()) instead.push_back({Code::kInPlaceOfCircle});
       result.diagnostics.add(Code::kMissingBeyondLimit, {camera.source.name, missing, camera.report->to_model,
@@ -83,12 +84,12 @@ void apply_limits(const ConvertRequest& request, ConvertResult& result) {
     result.diagnostics.add(Code::kErrorBeyondSigmas, {camera.source.name, sigmas, *request.max_error_sigmas});
     result.status = Status::kRejected;
   }
-  std::vector<Message> what;
+  std::vector<Message> losses;
   for (const Loss& loss : result.losses) {
-    if (request.strict && loss.matters) what.push_back(facts_of(loss));
+    if (request.strict && loss.matters) losses.push_back(facts_of(loss));
   }
-  if (!what.empty()) {
-    result.diagnostics.add(Code::kLossesNotAllowed, {what});
+  if (!losses.empty()) {
+    result.diagnostics.add(Code::kLossesNotAllowed, {losses});
     result.status = Status::kRejected;
   }
 }

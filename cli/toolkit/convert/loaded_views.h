@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A cache of what programs read from files during a conversion: each reads the same bytes only once.
+// A cache of what the readers of programs read from files during a conversion: each reads the same bytes only once.
 #pragma once
 
 #include <fca/formats/consumers/consumer.h>
@@ -9,13 +9,13 @@
 
 namespace fca {
 
-/// Valid for one request; not thread-safe.
+/// The views of one request. Not thread-safe.
 class LoadedViews {
  public:
-  /// Like Consumer::load(). The reference stays valid.
+  /// Returns what Consumer::load() returns, which it calls only the first time. The reference is valid as long as this object.
   [[nodiscard]] const consumers::ConsumerView& of(const consumers::Consumer& program, const std::string& bytes,
                                                   const consumers::LoadOptions& options);
-  /// Adds a view that the program has loaded elsewhere.
+  /// Adds a view that the caller got from Consumer::load().
   void add(const consumers::Consumer& program, std::string bytes, const consumers::LoadOptions& options,
            consumers::ConsumerView view);
 

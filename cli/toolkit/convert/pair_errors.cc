@@ -16,7 +16,7 @@ std::optional<PairError> pair_error_of(const Rig& input, const ConvertResult& re
   files.poses = result.poses;
   const std::optional<Transform> T_written = files.resolve(second.source.name, first.source.name);
   if (!T_written) return std::nullopt;
-  // If poses contradict each other, the verdict on contradictions decides which one is right; here the written one is taken.
+  // If poses of the input contradict each other, its pose of the pair may be wrong: use the written pose for both.
   const bool is_doubtful = !contradictions(input).empty();
   return pair_error({first.source, first.target.model}, {second.source, second.target.model},
                     is_doubtful ? *T_written : pair->T_second_first, *T_written);

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The syntax that users expect in a file whose name ends so.
+/// The syntax that users expect in a file with this extension.
 struct ExpectedSyntax {
   std::string_view extension;
   std::string_view syntax;
@@ -46,14 +46,15 @@ std::string_view syntax_name(text::Syntax syntax) {
   return "";
 }
 
+/// True if users expect another syntax in a file of that name.
 bool is_misnamed(const std::string& path, text::Syntax syntax) {
   const std::string extension = fs::path(path).extension().string();
   const auto known = std::ranges::find(kExpected, extension, &ExpectedSyntax::extension);
   return known != kExpected.end() && known->syntax != syntax_name(syntax);
 }
 
-/// The user gave a part of the input by itself (an IMU's file), and the output has no place for the file that would hold it:
-/// that file. Null if there is a place, or nothing was given, or the caller allows it to be left out.
+/// If the user gave further parts of the input (an IMU file) and the output takes no files without cameras: returns the first
+/// file without cameras, which would contain that part. Null if there is none, or if the request allows it to be left out.
 const ConvertedFile* given_part_without_room(const ConvertRequest& request, const ConvertResult& result) {
   const bool may_be_missing = request.room.further_files || request.room.given_parts;
   if (may_be_missing || request.inputs.parts.empty()) return nullptr;
@@ -61,14 +62,14 @@ const ConvertedFile* given_part_without_room(const ConvertRequest& request, cons
   return part == result.files.end() ? nullptr : &*part;
 }
 
-/// Whether the output can hold all files of the result; if not, adds an error.
+/// True if the output can take all files of the result that must not be left out. Otherwise adds an error.
 bool has_room(const ConvertRequest& request, ConvertResult& result) {
   const std::size_t with_cameras = camera_files(result.files);
   if (!request.room.named_files && std::ranges::any_of(result.files, &ConvertedFile::named)) {
     result.diagnostics.add(Code::kSeveralFiles, {result.headline, result.files.size()});
   } else if (!request.room.camera_files && with_cameras > 1) {
-    // Some formats hold several cameras in one of their layouts and one camera in another (OpenCV's files with the keys of
-    // camera_calibration): the message then names the layout.
+    // The files of some formats hold several cameras in one layout and only one in another (OpenCV's files with the keys of
+    // camera_calibration). The message then names the layout.
     const Message one = result.to->many_cameras ? Message{Code::kOfHeadlineOne, {result.headline}}
                                                 : Message{Code::kHoldsOne, {result.to->title}};
     result.diagnostics.add(Code::kOneCameraPerFile, {one, with_cameras, extension_of(result.files.front(), *result.to)},
@@ -82,8 +83,8 @@ bool has_room(const ConvertRequest& request, ConvertResult& result) {
   return false;
 }
 
-/// Removes all files without cameras but the first file. Each is reported as a loss if it held anything of the input, and its
-/// defaults are no longer listed.
+/// Removes all files without cameras, except the first file of the list. Reports a removed file as a loss if it contained facts
+/// of the input. Removes the defaults of these files from result.defaults.
 void remove_further_files(ConvertResult& result) {
   for (std::size_t i = result.files.size(); i-- > 1;) {
     if (!result.files[i].cameras.empty()) continue;
@@ -94,24 +95,25 @@ void remove_further_files(ConvertResult& result) {
   }
 }
 
-/// COLMAP keeps each file of a model as .txt or as .bin. The path of the same file in the other form; empty for other
-/// extensions.
+/// COLMAP stores each file of a model as .txt or as .bin. Returns the path of the other form of the file, or an empty path for
+/// other extensions.
 fs::path other_form_of(const fs::path& path) {
   if (path.extension() == ".txt") return fs::path(path).replace_extension(".bin");
   if (path.extension() == ".bin") return fs::path(path).replace_extension(".txt");
   return {};
 }
 
-bool is_there(const fs::path& path) {
+bool exists_on_disk(const fs::path& path) {
   std::error_code ignored;
   return !path.empty() && fs::exists(path, ignored);
 }
 
-/// The first file on the disk that is the other form of a file to be written: a program would read that one, or both.
+/// The path of the first file on the disk that is the other form of a file to be written. A program might read that one, or
+/// both.
 std::optional<std::string> other_form_on_disk(const std::vector<ConvertedFile>& files) {
   for (const ConvertedFile& file : files) {
     if (file.is_filler() || file.place.empty() || fs::path(file.path).filename() != file.place) continue;
-    if (const fs::path other = other_form_of(file.path); is_there(other)) return other.string();
+    if (const fs::path other = other_form_of(file.path); exists_on_disk(other)) return other.string();
   }
   return std::nullopt;
 }
@@ -136,15 +138,15 @@ bool place_files(const ConvertRequest& request, ConvertResult& result) {
   if (!has_room(request, result)) return false;
   if (!request.room.further_files) remove_further_files(result);
   if (!request.room.fillers) {
-    const std::size_t gone = std::erase_if(result.files, [](const ConvertedFile& file) { return file.is_filler(); });
-    // One file is no folder of a program, so its name is free.
-    if (gone > 0 && result.files.size() == 1) result.files.front().place.clear();
+    const std::size_t removed = std::erase_if(result.files, [](const ConvertedFile& file) { return file.is_filler(); });
+    // A single remaining file needs no folder of its program, so that any name will do.
+    if (removed > 0 && result.files.size() == 1) result.files.front().place.clear();
   }
   for (std::size_t i = 0; request.path_of && i < result.files.size(); ++i) {
     ConvertedFile& file = result.files[i];
     file.path = request.path_of(result, i);
-    const bool user_named_it_before = file.path == request.into;
-    if (!user_named_it_before && is_misnamed(file.path, file.syntax))
+    const bool is_file_of_user = file.path == request.into;
+    if (!is_file_of_user && is_misnamed(file.path, file.syntax))
       result.diagnostics.add(Code::kMisnamed, {file.path, syntax_name(file.syntax)});
   }
   const std::optional<std::string> other = request.into.empty() ? other_form_on_disk(result.files) : std::nullopt;
@@ -153,9 +155,9 @@ bool place_files(const ConvertRequest& request, ConvertResult& result) {
     result.status = Status::kBadRequest;
     return false;
   }
-  // A filler that exists, in either form, may hold the user's work: it stays.
+  // Do not replace a filler that exists on the disk, in either form: it may contain the user's work.
   std::erase_if(result.files, [](const ConvertedFile& file) {
-    return file.is_filler() && !file.path.empty() && (is_there(file.path) || is_there(other_form_of(file.path)));
+    return file.is_filler() && !file.path.empty() && (exists_on_disk(file.path) || exists_on_disk(other_form_of(file.path)));
   });
   return true;
 }

@@ -5,8 +5,9 @@
 
 namespace fca {
 
-/// Removes the files that the output has no place for (request.room), and sets the path of the others. False, with an error, if
-/// such a file must not be left out, or the folder already holds the other form (text or binary) of one.
+/// Removes the files that the output cannot take (request.room) and sets the paths of the others (request.path_of). Also
+/// removes fillers whose path exists on the disk. Returns false, with an error, if a file that must not be left out cannot be
+/// taken, or if the folder on the disk already has the other form (text or binary) of a file.
 [[nodiscard]] bool place_files(const ConvertRequest& request, ConvertResult& result);
 
 }  // namespace fca

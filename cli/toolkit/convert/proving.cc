@@ -19,22 +19,25 @@ namespace fca {
 
 namespace {
 
-std::vector<Message> all_said(const std::vector<consumers::Complaint>& complaints) {
+/// The sentences of the complaints.
+std::vector<Message> messages_of(const std::vector<consumers::Complaint>& complaints) {
   std::vector<Message> messages;
   messages.reserve(complaints.size());
   for (const consumers::Complaint& complaint : complaints) messages.push_back(complaint.facts);
   return messages;
 }
 
+/// The first way in which the program does not agree with the rig: it refuses the file, or reads other poses, numbers or
+/// pixels.
 Message disagreement(const ProofResult& proof) {
-  if (!proof.loads) return {Code::kWouldRefuse, {all_said(proof.refusals)}};
+  if (!proof.loads) return {Code::kWouldRefuse, {messages_of(proof.refusals)}};
   if (!proof.poses_agree) return {Code::kPosesDiffer, {proof.max_diff_pose}};
   if (proof.pixels_agree) return {Code::kNumbersDiffer, {proof.other_numbers}};
   if (proof.compared_share == 0.0) return {Code::kHasNoPixel};
   return {Code::kPixelsDiffer, {proof.max_diff_px}};
 }
 
-/// The options with which a program must load the files written for `rig`. The options of the input do not apply to them.
+/// The options with which a program must load the files that contain `rig`. The user's options for the input do not apply.
 consumers::LoadOptions load_options(const Written& written, const Rig& rig) {
   ReadOptions reading;
   reading.opencv_model = written.opencv_model;
@@ -44,8 +47,8 @@ consumers::LoadOptions load_options(const Written& written, const Rig& rig) {
   return options;
 }
 
-/// The output's file name, for a program whose reading depends on it: if the request names that program, or if the name is the
-/// one that this program expects. Empty otherwise.
+/// The file name of the output, for a program that recognises the lens by it, if the request names that program or the name is
+/// the one that the program expects. Otherwise empty.
 std::string name_for(const consumers::Consumer& program, const ConvertedFile& output, const ConvertRequest& request) {
   const std::string_view right_name = program.writing.equidistant_file_name;
   if (right_name.empty()) return {};
@@ -62,7 +65,7 @@ std::optional<consumers::Complaint> first_refusal(const std::string& bytes, cons
   return view.loads() ? std::nullopt : std::optional(view.refusals.front());
 }
 
-/// Names of the programs that load a file correctly which `refusing` does not load.
+/// The names of other programs of the same format that load the file and read its cameras correctly.
 std::vector<std::string> other_readers(const consumers::Consumer& refusing, const ConvertedFile& file,
                                        const consumers::LoadOptions& options, LoadedViews& views) {
   std::vector<std::string> names;
@@ -75,19 +78,20 @@ std::vector<std::string> other_readers(const consumers::Consumer& refusing, cons
   return names;
 }
 
-/// If the program sees the model as it is in the file, replaces the distances by the fit's error statistics. These are more
-/// exact: a lattice of few points misses the errors at the edge of a steep lens.
-void take_figures_of_fits(const std::vector<ConvertedCamera>& cameras, ProofResult& proof) {
-  constexpr double kSamePx = 1e-3;
-  constexpr double kSameShare = 0.02;
+/// If the program reads a fitted camera as it was written, and the proof covers the same part of the image as the fit, replaces
+/// the proof's distances by the error statistics of the fit. These are more exact: the proof's lattice has few points and
+/// misses errors at the edge of a lens.
+void use_errors_of_fits(const std::vector<ConvertedCamera>& cameras, ProofResult& proof) {
+  constexpr double kPixelTolerance = 1e-3;  // px
+  constexpr double kShareTolerance = 0.02;  // of the image
   for (CameraProof& camera : proof.cameras) {
     const auto converted =
         std::ranges::find(cameras, camera.name, [](const ConvertedCamera& each) { return each.source.name; });
     if (converted == cameras.end() || !converted->report || converted->report->exact) continue;
     PixelDistance& image = camera.distance.in_image;
     const ErrorStatistics& fit = converted->report->statistics;
-    const bool is_as_written = camera.agrees && !camera.misread && camera.max_diff_px <= kSamePx;
-    const bool is_same_region = image.no_rays == 0.0 && std::abs(image.region - fit.coverage.scored) <= kSameShare;
+    const bool is_as_written = camera.agrees && !camera.misread && camera.max_diff_px <= kPixelTolerance;
+    const bool is_same_region = image.no_rays == 0.0 && std::abs(image.region - fit.coverage.scored) <= kShareTolerance;
     if (!is_as_written || !is_same_region) continue;
     image.rms = fit.error.rms;
     image.p99 = fit.error.p99;
@@ -98,27 +102,28 @@ void take_figures_of_fits(const std::vector<ConvertedCamera>& cameras, ProofResu
 }  // namespace
 
 std::jthread prepare_programs(const Format& format) {
-  const auto needed = [&format](const consumers::Consumer& each) {
+  const auto needs_preparation = [&format](const consumers::Consumer& each) {
     return each.prepare != nullptr && each.format == format.id;
   };
-  const auto all = consumers::all_consumers();
-  const auto program = std::ranges::find_if(all, needed);
-  return program == all.end() ? std::jthread() : in_background(program->prepare);
+  const auto programs = consumers::all_consumers();
+  const auto program = std::ranges::find_if(programs, needs_preparation);
+  return program == programs.end() ? std::jthread() : in_background(program->prepare);
 }
 
 Message newly_refused(const Written& written, const Rig& rig, const text::Document* base, LoadedViews& views) {
   const consumers::LoadOptions options = load_options(written, rig);
   for (const Written::File& file : written.files) {
     for (const std::string& id : file.programs) {
-      const std::optional<consumers::Complaint> now = first_refusal(file.document.bytes(), id, options, views);
-      if (now && (base == nullptr || now != first_refusal(base->source().bytes, id, options, views))) return now->facts;
+      const std::optional<consumers::Complaint> refusal = first_refusal(file.document.bytes(), id, options, views);
+      if (refusal && (base == nullptr || refusal != first_refusal(base->source().bytes, id, options, views)))
+        return refusal->facts;
     }
   }
   return {};
 }
 
 bool fix_kept_text(const Format& format, const Rig& rig, Written& written, LoadedViews& views, Diagnostics& diagnostics) {
-  constexpr int kMostFixes = 100;  // each takes several runs of the program's reader
+  constexpr int kMaxFixes = 100;  // of one file: each fix takes several runs of the program's reader
   const consumers::LoadOptions options = load_options(written, rig);
   bool all_load = true;
   for (Written::File& file : written.files) {
@@ -130,15 +135,15 @@ bool fix_kept_text(const Format& format, const Rig& rig, Written& written, Loade
       std::optional<consumers::Complaint> refusal;
       consumers::ConsumerView tried;
       const AskProgram ask = [&](const std::string& bytes) { return tried = program->load(bytes, options); };
-      for (int i = 0; i < kMostFixes; ++i) {
+      for (int i = 0; i < kMaxFixes; ++i) {
         const consumers::ConsumerView& view = views.of(*program, document.bytes(), options);
         refusal = view.loads() ? std::nullopt : std::optional(view.refusals.front());
         all_load = all_load && !refusal;
         const std::optional<Fix> fix = refusal ? find_fix(document, view, *refusal, ask) : std::nullopt;
         if (!fix) break;
-        std::vector<Message> how;
-        if (!names_fix(refusal->facts, *fix)) how.push_back({Code::kFixedHow, {fix->remedy}});
-        fixes.add(Code::kFixed, {refusal->facts, how}, document.source().range(fix->span));
+        std::vector<Message> remedy;
+        if (!names_fix(refusal->facts, *fix)) remedy.push_back({Code::kFixedHow, {fix->remedy}});
+        fixes.add(Code::kFixed, {refusal->facts, remedy}, document.source().range(fix->span));
         document.replace(fix->span, fix->text);
         views.add(*program, document.bytes(), options, std::exchange(tried, {}));
       }
@@ -153,30 +158,30 @@ bool fix_kept_text(const Format& format, const Rig& rig, Written& written, Loade
 }
 
 void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagnostics& diagnostics) {
-  const std::size_t asked = calibration.with_cameras;
-  const text::Source& source = calibration.documents[asked].source();
-  // Only this file's own cameras count; it may contain only poses.
-  const std::optional<Rig> own = calibration.documents.size() > 1 ? rig_alone(calibration, asked) : std::nullopt;
-  const bool has_cameras = own ? !own->cameras.empty() : !calibration.rig.cameras.empty();
+  const std::size_t main_file = calibration.with_cameras;
+  const text::Source& source = calibration.documents[main_file].source();
+  // A file of joined ones may contain poses but no cameras: the readers of files without cameras are asked then.
+  const std::optional<Rig> own_rig = calibration.documents.size() > 1 ? rig_alone(calibration, main_file) : std::nullopt;
+  const bool has_cameras = own_rig ? !own_rig->cameras.empty() : !calibration.rig.cameras.empty();
   const Message refusal = refused_by_all(calibration.format->id, source.bytes, has_cameras, load_options(read_options(inputs)));
   if (refusal.is_said()) diagnostics.add(Code::kInputRefused, {source.name, refusal});
 }
 
 void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& request, const Written& written,
             const text::Document* base, LoadedViews& views, ConvertResult& result) {
-  bool evaluated = false;
+  bool has_program = false;
   std::vector<CalibratedCamera> calibrated;
   calibrated.reserve(result.cameras.size());
   for (const ConvertedCamera& camera : result.cameras) {
     calibrated.emplace_back().camera = camera.source;
     if (camera.report && camera.report->turn) calibrated.back().T_written_camera = camera.report->turn->T_target_source;
-    const bool has_end = camera.report && camera.report->angle_reduced;
-    if (has_end) calibrated.back().fitted_to_rad = camera.report->scored_to_deg * std::numbers::pi / 180.0;
+    const bool is_partial_fit = camera.report && camera.report->angle_reduced;
+    if (is_partial_fit) calibrated.back().fitted_to_rad = camera.report->scored_to_deg * std::numbers::pi / 180.0;
   }
   for (const std::string& id : output.programs) {
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
-    evaluated = true;
+    has_program = true;
     consumers::LoadOptions options = load_options(written, rig);
     options.file_name = name_for(*consumer, output, request);
     ProofResult proof = prove(
@@ -184,36 +189,36 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
         request.inputs.max_angle_rad.value_or(std::numbers::pi),
         [&request](std::size_t count, const auto& body) { parallel_for(count, request.jobs, body); }, calibrated);
     proof.is_first = id == output.programs.front();
-    take_figures_of_fits(result.cameras, proof);
+    use_errors_of_fits(result.cameras, proof);
     if (!proof.loads && base != nullptr && consumer != request.program)
       proof.read_by = other_readers(*consumer, output, options, views);
     const std::string program(consumer->program);
-    const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
-    const bool refused_before = base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&
+    const bool is_unchanged = base != nullptr && output.bytes == base->source().bytes;
+    const bool refused_before = base != nullptr && !proof.loads && (is_unchanged || !request.into.empty()) &&
                                 first_refusal(base->source().bytes, id, options, views) == proof.refusals.front();
     if (refused_before) result.refused_before.push_back(program);
-    if (!proof.agrees() && unchanged) {
+    if (!proof.agrees() && is_unchanged) {
       result.diagnostics.add(Code::kInputNotUnderstood, {program, disagreement(proof)});
     } else if (refused_before) {
       result.diagnostics.add(Code::kEditNotProven, {program, proof.refusals.front().facts, request.into});
     } else if (!proof.agrees()) {
-      const bool of_base = !request.into.empty() && !proof.loads;
+      const bool is_edit_of_into = !request.into.empty() && !proof.loads;
       const Code reason = proof.loads ? Code::kVerdictNumbersDiffer : Code::kVerdictRefused;
       const bool is_accepted =
           !proof.read_by.empty() ||
           std::ranges::any_of(request.accepted, [reason](const Acceptance& each) { return same_id(each.code, reason); });
       result.diagnostics.add(is_accepted ? Severity::kWarning : Severity::kError,
-                             of_base ? Code::kProofOfBaseFailed : Code::kProofFailed,
+                             is_edit_of_into ? Code::kProofOfBaseFailed : Code::kProofFailed,
                              {program, disagreement(proof), request.into});
       if (!is_accepted) result.status = worse(result.status, Status::kRejected);
     }
     result.proofs.push_back(std::move(proof));
   }
-  if (evaluated) return;
+  if (has_program) return;
   result.unproven.push_back(output.path);
-  std::vector<Message> of_path;
-  if (!output.path.empty()) of_path.push_back({Code::kOfPath, {output.path}});
-  result.diagnostics.add(Code::kNotProven, {of_path, result.to->program});
+  std::vector<Message> path_clause;
+  if (!output.path.empty()) path_clause.push_back({Code::kOfPath, {output.path}});
+  result.diagnostics.add(Code::kNotProven, {path_clause, result.to->program});
 }
 
 }  // namespace fca

@@ -15,65 +15,67 @@ namespace fca {
 
 namespace {
 
-/// The frame rate of a rig's first camera [Hz]; nullopt if it has none.
+/// The frame rate [Hz] of the first camera of the rig; nullopt if there is none.
 std::optional<double> frame_rate(const std::optional<Rig>& rig) {
   return rig && !rig->cameras.empty() ? rig->cameras.front().frame_rate_hz : std::nullopt;
 }
 
-/// A written file that settings may change.
-class SetFile {
+/// A written file to which settings are applied.
+class EditableFile {
  public:
-  SetFile(const Format& format, const ReadOptions& options, Written::File& file)
+  EditableFile(const Format& format, const ReadOptions& options, Written::File& file)
       : format_(format), options_(options), file_(file) {
     text::keep_edited(file_.document);
   }
 
   [[nodiscard]] bool has_key(const std::string& key) const {
-    const text::Document* document = now();
+    const text::Document* document = edited();
     return document != nullptr && has_value(*document, key);
   }
 
   [[nodiscard]] bool may_add_key(const std::string& key) const {
-    const text::Document* document = now();
+    const text::Document* document = edited();
     return document != nullptr && may_add_value(format_, *document, key);
   }
 
-  /// Sets a key's value; false, with an error, if that fails. `fps`: the frame rate [Hz] that the request gives, which the
-  /// setting must not change.
+  /// Sets the value of a key. Returns false, with an error, if that fails or if it would change the frame rate although the
+  /// request gives that rate [Hz] as `fps`.
   [[nodiscard]] bool set(const KeyValue& setting, std::optional<double> fps, Diagnostics& diagnostics) {
-    if (!stated_) stated_ = as_stated(format_, file_.document, options_, diagnostics);
-    if (!stated_) return false;
-    std::optional<StatedRig> after = set_value(format_, *stated_, setting, options_, diagnostics);
+    if (!current_) current_ = as_stated(format_, file_.document, options_, diagnostics);
+    if (!current_) return false;
+    std::optional<StatedRig> after = set_value(format_, *current_, setting, options_, diagnostics);
     if (!after) return false;
-    if (fps && frame_rate(after->rig) != frame_rate(stated_->rig)) {
+    if (fps && frame_rate(after->rig) != frame_rate(current_->rig)) {
       diagnostics.add(Code::kSettingContradictsRate, {setting.key, setting.value, *fps});
       return false;
     }
-    stated_ = *std::move(after);
-    file_.document = stated_->document;
+    current_ = *std::move(after);
+    file_.document = current_->document;
     return true;
   }
 
  private:
-  /// The document as edited; null if the edits did not leave a valid document.
-  [[nodiscard]] const text::Document* now() const {
+  /// The document with its edits; null if the edited text cannot be parsed.
+  [[nodiscard]] const text::Document* edited() const {
     return file_.document.edited() ? file_.document.kept_edited() : &file_.document;
   }
 
   const Format& format_;
   const ReadOptions& options_;
   Written::File& file_;
-  std::optional<StatedRig> stated_;  ///< nullopt until a value is set.
+  std::optional<StatedRig> current_;  ///< The edited document and its rig; nullopt until a value is set.
 };
 
-bool apply(const KeyValue& setting, std::optional<double> fps, std::vector<SetFile>& files, Diagnostics& diagnostics) {
-  const auto has_key = [&setting](const SetFile& file) { return file.has_key(setting.key); };
-  const auto may_add_key = [&setting](const SetFile& file) { return file.may_add_key(setting.key); };
-  const bool nowhere = std::ranges::none_of(files, has_key);
-  const bool comes = nowhere && std::ranges::any_of(files, may_add_key);
-  return std::ranges::all_of(files, [&](SetFile& file) {
-    const bool is_meant = comes ? may_add_key(file) : nowhere || has_key(file);
-    return !is_meant || file.set(setting, fps, diagnostics);
+/// Sets the value in every file that has the key. If none has it, adds it to every file that may get it. If no file may get it,
+/// tries to set it nevertheless: this adds the error that the key is unknown. Returns false after an error.
+bool apply(const KeyValue& setting, std::optional<double> fps, std::vector<EditableFile>& files, Diagnostics& diagnostics) {
+  const auto has_key = [&setting](const EditableFile& file) { return file.has_key(setting.key); };
+  const auto may_add_key = [&setting](const EditableFile& file) { return file.may_add_key(setting.key); };
+  const bool is_in_no_file = std::ranges::none_of(files, has_key);
+  const bool is_added = is_in_no_file && std::ranges::any_of(files, may_add_key);
+  return std::ranges::all_of(files, [&](EditableFile& file) {
+    const bool takes_key = is_added ? may_add_key(file) : is_in_no_file || has_key(file);
+    return !takes_key || file.set(setting, fps, diagnostics);
   });
 }
 
@@ -84,7 +86,7 @@ bool apply_settings(const ConvertRequest& request, const Format& format, Written
   ReadOptions options = read_options(request.inputs);
   options.join = false;           // each file is read alone
   options.length_unit_m.reset();  // written files are in metres
-  std::vector<SetFile> files;
+  std::vector<EditableFile> files;
   files.reserve(written.files.size());
   for (Written::File& file : written.files) files.emplace_back(format, options, file);
   return std::ranges::all_of(request.settings, [&](const KeyValue& setting) {

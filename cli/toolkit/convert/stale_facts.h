@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Facts in a file, besides the calibration, that become wrong if its images or cameras change.
+// Reports facts in a file that are no part of the calibration but become wrong if the images or cameras change.
 #pragma once
 
 #include <fca/formats/format.h>
 
 namespace fca {
 
-/// Lists, with a warning, facts in an edited file that are still about the images as they were calibrated
-/// (Format::of_the_images). Only the file's owner can compute them again. `rig`: as read from the file.
+/// For an edited file whose images changed (size, crop): adds a warning and a loss with the facts that are still those of the
+/// calibrated images (Format::of_the_images). Only the owner of the file can compute them again. `rig`: as read from the file.
 void list_facts_of_other_images(const Rig& rig, const Format& format, Written& written, Diagnostics& diagnostics);
 
-/// Lists, with a warning, facts that the file of --into, which contains `base`, had computed from its cameras
-/// (Format::of_the_lenses), if `rig` has other cameras.
+/// For an edited file of --into: adds a warning and a loss with the facts that were computed from the former cameras and poses
+/// (Format::of_the_lenses). `base`: the rig that the file contained. `rig`: the rig that it contains now. Adds nothing if both
+/// have the same models, poses and baseline.
 void list_facts_of_other_lenses(const Rig& base, const Rig& rig, const Format& format, Written& written,
                                 Diagnostics& diagnostics);
 

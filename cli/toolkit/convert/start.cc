@@ -21,6 +21,7 @@ namespace fca {
 
 namespace {
 
+/// The options of the checks of one input file. `from`: the format of the file.
 CheckOptions check_options(const ConvertRequest& request, const Format* from) {
   CheckOptions options;
   options.reading = read_options(request.inputs);
@@ -30,8 +31,8 @@ CheckOptions check_options(const ConvertRequest& request, const Format* from) {
   return options;
 }
 
-/// Joining files renames cameras with equal names. Maps the names of one file's cameras to those in the joined rig. `next`: the
-/// index in `joined` at which this file's cameras begin; advanced past them.
+/// Joining files renames cameras with equal names. Returns a map from the names of one file's cameras to their names in the
+/// joined rig. `next`: the index of this file's first camera in `joined`. It becomes the index of the next file's first camera.
 std::map<std::string, std::string> joined_names(const Rig& one, const std::vector<Camera>& joined, std::size_t& next) {
   std::map<std::string, std::string> names;
   for (const Camera& camera : one.cameras) {
@@ -44,14 +45,16 @@ std::map<std::string, std::string> joined_names(const Rig& one, const std::vecto
   return names;
 }
 
-void name_as_joined(const std::map<std::string, std::string>& names, Finding& finding) {
+/// Replaces the name of a camera at the start of a finding by its name in the joined rig.
+void use_joined_name(const std::map<std::string, std::string>& names, Finding& finding) {
   if (finding.facts.arguments.empty()) return;
   auto* owner = std::get_if<std::string>(&finding.facts.arguments.front().value);
   const auto joined = owner != nullptr ? names.find(*owner) : names.end();
   if (joined != names.end()) *owner = joined->second;
 }
 
-/// The findings of the checks in each input file, before any change. `diagnostics`: what the readers found in all files.
+/// The findings of the checks of each input file as it was read, without the changes that the request asks for. `diagnostics`:
+/// what the readers reported about all files.
 std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRequest& request, const Format& to,
                                  const Diagnostics& diagnostics) {
   if (calibration.documents.size() == 1) {
@@ -63,25 +66,25 @@ std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRe
   for (std::size_t i = 0; i < calibration.documents.size(); ++i) {
     CheckOptions options = check_options(request, calibration.formats[i]);
     std::optional<Calibration> one = alone(calibration, i);
-    // An image size in the request is only for files that contain none.
+    // The image size in the request is only for files without one.
     if (one && !one->rig.cameras.empty() && one->rig.cameras.front().image_size) options.reading.image_size.reset();
-    Diagnostics said_before;
+    Diagnostics already_reported;
     if (options.reading.image_size)
-      one = read_calibration({calibration.documents[i]}, options.from, options.reading, said_before);
+      one = read_calibration({calibration.documents[i]}, options.from, options.reading, already_reported);
     if (!one) continue;
-    // The readers' diagnostics are passed with the first file.
+    // The diagnostics of the readers are passed only once, with the first file.
     std::vector<Finding> found =
         findings_about_meaning(calibration.documents[i], *one, i == 0 ? diagnostics : Diagnostics{}, options, to);
     const std::map<std::string, std::string> names = joined_names(one->rig, calibration.rig.cameras, next_camera);
-    for (Finding& finding : found) name_as_joined(names, finding);
+    for (Finding& finding : found) use_joined_name(names, finding);
     std::ranges::move(found, std::back_inserter(findings));
   }
   return findings;
 }
 
-/// Removes findings about cameras that are not converted and, if only one camera and no IMU is left, findings about poses: no
-/// pose is written then.
-void drop_findings_of_others(const std::vector<Camera>& read, const Rig& rig, std::vector<Finding>& findings) {
+/// Removes findings about cameras that were not chosen. `read`: all cameras of the input; `rig`: the chosen ones. If only one
+/// camera and no IMU was chosen, no pose is written, so that findings about poses are removed too.
+void remove_findings_of_others(const std::vector<Camera>& read, const Rig& rig, std::vector<Finding>& findings) {
   const bool is_single_camera = rig.cameras.size() == 1 && rig.imus.empty();
   std::erase_if(findings, [&](const Finding& finding) {
     const auto* owner =
@@ -92,12 +95,12 @@ void drop_findings_of_others(const std::vector<Camera>& read, const Rig& rig, st
   });
 }
 
-/// Puts the stereo pair first if the target's program uses the first two cameras as a pair. A choice of cameras by the user,
-/// and the order in a file of the target's own format, are kept.
+/// Moves the stereo pair to the front if the target's program uses the first two cameras as a pair. Does nothing if the user
+/// chose the cameras or if the input has the target's format: their order is kept.
 void put_pair_first(const ConvertRequest& request, const Format& to, Calibration& input) {
-  constexpr std::size_t kPair = 2;
+  constexpr std::size_t kCamerasOfPair = 2;
   std::vector<Camera>& cameras = input.rig.cameras;
-  if (!to.begins_with_pair || cameras.size() <= kPair || request.inputs.cameras || input.format == &to) return;
+  if (!to.begins_with_pair || cameras.size() <= kCamerasOfPair || request.inputs.cameras || input.format == &to) return;
   const auto pair = stereo_pair(input.rig);
   if (!pair) return;
   std::rotate(cameras.begin(), cameras.begin() + static_cast<std::ptrdiff_t>(pair->first),
@@ -106,14 +109,15 @@ void put_pair_first(const ConvertRequest& request, const Format& to, Calibration
               cameras.begin() + static_cast<std::ptrdiff_t>(pair->second) + 1);
 }
 
-/// If poses contradict each other and a single one explains that, removes it from the input. The fresh file gets the others.
+/// If poses contradict each other and removing a single one resolves that, removes that pose from the input, so that it is not
+/// written. Also removes the diagnostics about it: the verdict reports the pose.
 void remove_contradicting_pose(Start& start, Diagnostics& diagnostics) {
   start.outvoted = outvoted_pose(start.rig_of_input);
   if (!start.outvoted) return;
   start.input.rig = without_pose(start.outvoted->loop.edge, std::move(start.input.rig));
   Diagnostics others;
   for (const Diagnostic& entry : diagnostics.entries()) {
-    if (!reports_contradiction(code_of(entry))) others.add(entry);  // the verdict names the pose and what became of it
+    if (!reports_contradiction(code_of(entry))) others.add(entry);
   }
   diagnostics = std::move(others);
 }
@@ -143,22 +147,24 @@ bool read_start(const ConvertRequest& request, Files& files, Start& start, std::
     return false;
   }
   if (request.verify) programs = prepare_programs(*result.to);
-  Diagnostics found;  // in the input, not in the base
+  Diagnostics found;  // about the input, not about the base
   std::optional<Calibration> input = read_as_stated(request.inputs, files, found);
   for (const Diagnostic& entry : found.entries()) result.diagnostics.add(entry);
   if (!input) return false;
   start.findings = findings_of(*input, request, *result.to, found);
-  const std::vector<Camera> read = input->rig.cameras;
+  const std::vector<Camera> all_cameras = input->rig.cameras;
   const std::size_t before_choices = result.diagnostics.entries().size();
   if (!apply_choices(request.inputs, files, *input, result.diagnostics)) return false;
-  // If imu_noise has converted the noise to a usual size, the findings about its former size no longer apply.
+  // The request may say that the noise is of another kind (imu_noise). If the converted noise has a usual size, the findings
+  // about its size in the file no longer apply.
   if (request.inputs.imu_noise && std::ranges::all_of(input->rig.imus, has_usual_noise)) {
     std::erase_if(start.findings, [](const Finding& finding) {
       return finding.facts.code == Code::kImuNoiseTooSmall || finding.facts.code == Code::kImuNoiseTooLarge;
     });
   }
   add_findings(std::span(result.diagnostics.entries()).subspan(before_choices), start.findings);
-  if (request.inputs.cameras && input->documents.size() == 1) drop_findings_of_others(read, input->rig, start.findings);
+  if (request.inputs.cameras && input->documents.size() == 1)
+    remove_findings_of_others(all_cameras, input->rig, start.findings);
   start.rig_of_input = input->rig;
   put_pair_first(request, *result.to, *input);
   start.input = *std::move(input);

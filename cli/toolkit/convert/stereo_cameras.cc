@@ -8,12 +8,12 @@
 namespace fca {
 
 std::optional<StereoCameras> stereo_cameras(const Rig& input, const std::vector<ConvertedCamera>& cameras) {
-  Rig candidates;  // the cameras that can be rectified
+  Rig candidates;  // the cameras that can be rectified, with all poses
   candidates.poses = input.poses;
-  std::vector<std::size_t> indices;  // of the candidates in `cameras`
+  std::vector<std::size_t> indices;  // the index in `cameras` of each candidate
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     const Camera& camera = cameras[i].source;
-    const bool is_ray_table = !camera.rays.empty();  // it has no formula to rectify by
+    const bool is_ray_table = !camera.rays.empty();  // has no formula, which a rectification needs
     if (is_ray_table || !camera.image_size) continue;
     candidates.cameras.push_back(camera);
     indices.push_back(i);

@@ -8,8 +8,9 @@
 
 namespace fca {
 
-/// A message about the worst of a few rays of a table that do not belong to it: a fit without them is far better for all
-/// others. nullopt if there are none, or the source is not a table.
+/// If the source camera is a table of rays and a few of its rays are wrong: a message about the worst one. Rays are wrong if a
+/// fit without them is far better for all other rays. nullopt if no ray is wrong, or the source is not a table, or the target
+/// is a table too.
 [[nodiscard]] std::optional<Message> stray_ray(const ConvertedCamera& camera);
 
 }  // namespace fca

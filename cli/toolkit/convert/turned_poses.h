@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses of cameras whose frames were rotated by their fits (ConversionReport::turn).
+// A fit may rotate the frame of a camera (ConversionReport::turn). The poses of such cameras are changed accordingly.
 #pragma once
 
 #include <fca/toolkit/convert.h>
@@ -8,11 +8,11 @@
 
 namespace fca {
 
-/// Converts the poses, and a pair's rectification, to the cameras' rotated frames.
+/// Changes the poses of `rig`, and the rotations of its rectified pair, so that they are those of the rotated camera frames.
 void turn_poses(const std::vector<ConvertedCamera>& cameras, Rig& rig);
 
-/// Adds notes about the cameras that were rotated, those of them that have no pose in the written files, and those that a
-/// rotation would improve.
+/// Adds a note about each rotated camera, which also says whether the written files contain a pose for the rotation, and about
+/// each camera with a pose that a rotation would improve. `written`: the poses in the written files.
 void report_turns(const std::vector<PoseEdge>& written, const std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics);
 
 }  // namespace fca

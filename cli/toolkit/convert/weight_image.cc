@@ -15,13 +15,14 @@ namespace fca {
 
 namespace {
 
+/// The mean of the colours of each pixel, at least 0.
 GreyImage grey_of(const Image& image) {
   std::vector<GreyImage> colours = planes(image);
   GreyImage grey = std::move(colours.front());
   for (std::size_t i = 0; i < grey.samples.size(); ++i) {
     float sum = grey.samples[i];
     for (std::size_t colour = 1; colour < colours.size(); ++colour) sum += colours[colour].samples[i];
-    // Images of real numbers may contain negative ones; these count as black.
+    // An image of floating-point numbers may contain negative values, which are treated as black.
     grey.samples[i] = std::max(0.0F, sum / static_cast<float>(colours.size()));
   }
   return grey;

@@ -7,8 +7,9 @@
 
 namespace fca {
 
-/// If the request weights by an image, reads request.weight_image into request.density, as the mean of the colours. False, with
-/// an error, if it is not an image, is black, or has not the size of each camera's images.
+/// If the fits are weighted by an image (WeightKind::kImage), reads request.weight_image and stores the mean of its colours in
+/// request.density. Does nothing if request.density is already set. Returns false, with an error, if the file is no image, if
+/// all its pixels are black, or if its size differs from the image size of a camera.
 [[nodiscard]] bool read_weight_image(const Rig& rig, Files& files, ConvertRequest& request, Diagnostics& diagnostics);
 
 }  // namespace fca

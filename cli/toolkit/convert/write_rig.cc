@@ -35,23 +35,24 @@ std::optional<Written> write_rig(const Calibration& source, const Rig& rig, cons
   WriteOptions options = write_options(request, base, std::move(replaced));
   if (source.one_format && source.format == result.to) options.input = source.documents;
   if (source.documents.size() > 1 && base.into == nullptr && !request.rewrite && request.inputs.join) {
-    std::optional<Written> each;
+    std::optional<Written> one_by_one;
     if (request.inputs.change.changes_nothing())
-      each = write_each_into_its_own(source, rig, *result.to, options, result.diagnostics);
-    if (each || result.diagnostics.has_errors()) return each;
-    // The first file may be edited; the text of the others is lost in any case.
+      one_by_one = write_each_into_its_own(source, rig, *result.to, options, result.diagnostics);
+    if (one_by_one || result.diagnostics.has_errors()) return one_by_one;
+    // The first file may be edited as the base. The comments of the other files are lost.
     if (source.format == result.to) options.joined = std::span(source.documents).subspan(base.document != nullptr ? 1 : 0);
   }
   std::optional<Written> written = write_calibration(*result.to, base.document, rig, options, result.diagnostics);
   if (!written || base.document == nullptr || !request.verify || request.rewrite) return written;
-  const bool edited = written->files.front().document.edited();
-  const bool loads = (edited || base.into != nullptr) && fix_kept_text(*result.to, rig, *written, views, result.diagnostics);
+  const bool is_edited = written->files.front().document.edited();
+  const bool loads = (is_edited || base.into != nullptr) && fix_kept_text(*result.to, rig, *written, views, result.diagnostics);
   if (loads || keeps_text(request, base)) return written;
-  const bool asked_for = !options.layout.empty() || edited;
-  // The program must be able to read what an input becomes: a camchain with the first line that OpenVINS needs is no base for
-  // Kalibr. A file of --into belongs to the user, who may have another program for it.
-  const text::Document* owners = base.into != nullptr ? base.document : nullptr;
-  const Message refusal = asked_for ? newly_refused(*written, rig, owners, views) : Message{};
+  const bool must_load = !options.layout.empty() || is_edited;
+  // The program must load an edited input: for example, Kalibr does not load a camchain with the first line that OpenVINS
+  // needs. The file of --into may be for another program of the user, so that a refusal is accepted if the program already
+  // refused it.
+  const text::Document* may_be_refused = base.into != nullptr ? base.document : nullptr;
+  const Message refusal = must_load ? newly_refused(*written, rig, may_be_refused, views) : Message{};
   if (!refusal.is_said()) return written;
   options.rewrite = true;
   result.diagnostics.add(Code::kLayoutNotKept, {refusal});

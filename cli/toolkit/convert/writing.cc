@@ -30,6 +30,7 @@ namespace fca {
 
 namespace {
 
+/// The rig of the input with the fitted cameras, their rotations in its poses, and the frame rate and baseline of the request.
 Rig converted_rig(const Calibration& calibration, const std::vector<ConvertedCamera>& cameras, const ConvertRequest& request) {
   Rig rig = calibration.rig;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
@@ -41,13 +42,13 @@ Rig converted_rig(const Calibration& calibration, const std::vector<ConvertedCam
   return rig;
 }
 
-/// The rig that a proof must find in the files: `rig`, except for poses that were deliberately written with other values.
-Rig as_restated(Rig rig, const Written& written) {
+/// The rig that programs must read from the files: `rig`, but with the poses that were deliberately written with other values.
+Rig rig_in_files(Rig rig, const Written& written) {
   for (const PoseEdge& edge : written.restated) {
-    const auto stated =
+    const auto pose =
         std::ranges::find_if(rig.poses, [&edge](const PoseEdge& other) { return other.a == edge.a && other.b == edge.b; });
-    if (stated != rig.poses.end()) {
-      stated->T_a_b = edge.T_a_b;
+    if (pose != rig.poses.end()) {
+      pose->T_a_b = edge.T_a_b;
     } else {
       rig.poses.push_back(edge);
     }
@@ -55,8 +56,8 @@ Rig as_restated(Rig rig, const Written& written) {
   return rig;
 }
 
-/// Adds the table of smaller angles to each fitted camera's report: how good the fit would be if the lens ended earlier. Only
-/// for lenses whose angle no input gives.
+/// Adds ConversionReport::max_angles to the report of each fitted camera: the errors of the fit if the lens ended at a smaller
+/// angle. max_angle_table.h says when this table is empty.
 void add_max_angles(const Format& to, const ModelChoice& choice, std::vector<ConvertedCamera>& cameras) {
   parallel_for(cameras.size(), choice.request.jobs, [&](std::size_t i) {
     ConvertedCamera& camera = cameras[i];
@@ -77,7 +78,8 @@ void add_uncertainties(const Rig& rig, const ConvertRequest& request, std::vecto
   });
 }
 
-/// The input document that an output was edited from, found by equal original bytes; null if the output is a fresh file.
+/// The input document whose edit is the output; null if the output is a fresh file. Documents are recognised by the bytes that
+/// they had before the edit.
 const text::Document* input_of(const ConvertedFile& output, const Written& written, const Calibration& calibration) {
   const auto file = std::ranges::find(written.files, output.cameras, &Written::File::cameras);
   if (file == written.files.end()) return nullptr;
@@ -87,18 +89,18 @@ const text::Document* input_of(const ConvertedFile& output, const Written& writt
   return input == calibration.documents.end() ? nullptr : &*input;
 }
 
-/// Ids of the format's models that the program accepts; empty: all.
-std::vector<std::string> taken_by(const consumers::Consumer& program, const Format& format) {
+/// Ids of the format's models that the program accepts; empty: all models.
+std::vector<std::string> models_accepted_by(const consumers::Consumer& program, const Format& format) {
   std::vector<std::string> models;
-  const auto& taken = program.writing.models_taken;
+  const auto& accepted = program.writing.models_taken;
   for (const StoredModel& stored : format.models) {
-    if (std::ranges::find(taken, stored.file_name) != taken.end()) models.emplace_back(stored.model);
+    if (std::ranges::find(accepted, stored.file_name) != accepted.end()) models.emplace_back(stored.model);
   }
   return models;
 }
 
-/// Makes `program` the first program of the files with cameras (the proof asks it first), gives the files the names by which it
-/// recognises their lens, and names it in the headline.
+/// Makes `program` the first of the programs that are asked about the files with cameras. If it recognises lenses by file
+/// names, gives the files such names. Adds its name to the headline.
 void put_first(const consumers::Consumer& program, const Rig& rig, Written& written) {
   bool is_new = false;
   for (Written::File& file : written.files) {
@@ -112,11 +114,11 @@ void put_first(const consumers::Consumer& program, const Rig& rig, Written& writ
     if (camera == nullptr || program.writing.equidistant_file_name.empty() || model_info(camera->model).id != "kb4") continue;
     file.place = std::filesystem::path(file.place).replace_filename(program.writing.equidistant_file_name).string();
   }
-  const bool goes_by_name = !program.writing.equidistant_file_name.empty();  // other programs of the format ignore the name
-  if (is_new || goes_by_name) written.headline = {Code::kHeadlineOfReader, {written.headline, program.program}};
+  const bool recognises_names = !program.writing.equidistant_file_name.empty();  // other programs of the format do not
+  if (is_new || recognises_names) written.headline = {Code::kHeadlineOfReader, {written.headline, program.program}};
 }
 
-/// The steps of a conversion from the request to proven files. Each step returns false after an error.
+/// The steps from the request to files that programs have read. Each step returns false after an error.
 class Writing {
  public:
   Writing(const ConvertRequest& request, const Start& start, ModelChoice choice, ConvertResult& result)
@@ -128,6 +130,7 @@ class Writing {
         views_(*start.views),
         result_(result) {}
 
+  /// Takes all steps. prove() returns nothing: its errors and the status kRejected are in result_, and the files remain.
   [[nodiscard]] bool run() {
     if (!fit() || !write() || !place()) return false;
     if (request_.verify) prove();
@@ -135,15 +138,15 @@ class Writing {
   }
 
  private:
-  /// Fits every camera's model for the target; fills result_.cameras.
+  /// Fits the cameras to models that the target can store, and puts them into the rig. Fills result_.cameras and rig_.
   [[nodiscard]] bool fit();
-  /// Fills rig_: the fitted cameras in the rig of the input or, with --into, of the base.
-  [[nodiscard]] bool put_together();
-  /// Fills written_: the format's files and what the user must know of them.
+  /// Fills rig_ with the rig of the input and the fitted cameras and, with --into, the rest of the base.
+  [[nodiscard]] bool assemble_rig();
+  /// Makes the files and the notes about them. Fills written_.
   [[nodiscard]] bool write();
-  /// Moves written_ into result_ and gives each file its path.
+  /// Copies written_ to result_ and gives each file its path.
   [[nodiscard]] bool place();
-  /// Asks the programs' readers about each file.
+  /// Checks each file with the readers of its programs.
   void prove();
 
   const ConvertRequest& request_;
@@ -154,17 +157,17 @@ class Writing {
   LoadedViews& views_;
   ConvertResult& result_;
   Rig rig_;    ///< The rig to write.
-  Kept kept_;  ///< What remains of the base.
+  Kept kept_;  ///< What was kept of the file of --into.
   Written written_;
 };
 
 bool Writing::fit() {
   if (!may_fit_pair(request_, *result_.to, result_.diagnostics)) return false;
   if (!holds_model(request_, base_, input_.rig, *result_.to, result_.diagnostics)) return false;
-  const std::vector<std::string> taken =
-      request_.program != nullptr ? taken_by(*request_.program, *result_.to) : std::vector<std::string>();
-  if (request_.model != nullptr && !taken.empty() && std::ranges::find(taken, request_.model->id) == taken.end()) {
-    result_.diagnostics.add(Code::kModelNotStorable, {request_.program->program, request_.model->id, taken});
+  const std::vector<std::string> accepted =
+      request_.program != nullptr ? models_accepted_by(*request_.program, *result_.to) : std::vector<std::string>();
+  if (request_.model != nullptr && !accepted.empty() && std::ranges::find(accepted, request_.model->id) == accepted.end()) {
+    result_.diagnostics.add(Code::kModelNotStorable, {request_.program->program, request_.model->id, accepted});
     return false;
   }
   std::optional<std::vector<ConvertedCamera>> cameras =
@@ -175,10 +178,10 @@ bool Writing::fit() {
   if (!fit_as_pair(input_.rig, *result_.to, choice_, result_.cameras, result_.diagnostics)) return false;
   if (request_.in_detail) add_max_angles(*result_.to, choice_, result_.cameras);
   add_uncertainties(input_.rig, request_, result_.cameras);
-  return put_together();
+  return assemble_rig();
 }
 
-bool Writing::put_together() {
+bool Writing::assemble_rig() {
   rig_ = converted_rig(input_, result_.cameras, request_);
   if (!into_) return true;
   const bool order_given = request_.inputs.cameras && request_.inputs.cameras->size() > 1;
@@ -201,7 +204,7 @@ bool Writing::write() {
   if (into_) list_facts_of_other_lenses(into_->rig, rig_, to, *written, result_.diagnostics);
   written_ = *std::move(written);
   name_as_written(to, written_, result_.cameras);
-  // Before --set is applied: afterwards the bytes no longer show what was edited of the input.
+  // The comment must be added before --set is applied: applying it replaces the original bytes, by which inputs are recognised.
   add_provenance(request_, input_, written_, result_);
   if (!apply_settings(request_, to, written_, result_.diagnostics)) return false;
   warn_of_wrong_side(rig_, request_, written_.first_is_left, result_);
@@ -230,15 +233,15 @@ bool Writing::place() {
 }
 
 void Writing::prove() {
-  const bool edits_it = base_.document != nullptr && base_.into == nullptr;  // then the proof reports it
-  if (request_.in_detail && !edits_it) warn_if_refused(input_, request_.inputs, result_.diagnostics);
-  const Rig meant = as_restated(rig_, written_);
+  const bool edits_input = base_.document != nullptr && base_.into == nullptr;  // verify() then reports a refused input
+  if (request_.in_detail && !edits_input) warn_if_refused(input_, request_.inputs, result_.diagnostics);
+  const Rig expected = rig_in_files(rig_, written_);
   for (const ConvertedFile& file : result_.files) {
     if (file.is_filler()) continue;
-    const text::Document* own = input_of(file, written_, input_);
+    const text::Document* edited_input = input_of(file, written_, input_);
     const bool is_configuration = file.cameras.empty() && result_.to->facts_apart;
-    verify(is_configuration ? with_counted_cameras(meant, written_) : meant, file, request_, written_,
-           own != nullptr ? own : base_.document, views_, result_);
+    verify(is_configuration ? with_counted_cameras(expected, written_) : expected, file, request_, written_,
+           edited_input != nullptr ? edited_input : base_.document, views_, result_);
   }
 }
 
@@ -256,9 +259,10 @@ ModelChoice choice_of(const ConvertRequest& request, const Start& start, const F
   choice.same_format = start.input.format == &to && start.input.one_format;
   if (request.program == nullptr) return choice;
   choice.unread = request.program->writing.unread;
-  if (const std::vector<std::string> taken = taken_by(*request.program, to); !taken.empty()) {
-    if (choice.among.empty()) choice.among = taken;
-    std::erase_if(choice.among, [&taken](const std::string& model) { return std::ranges::find(taken, model) == taken.end(); });
+  if (const std::vector<std::string> accepted = models_accepted_by(*request.program, to); !accepted.empty()) {
+    if (choice.among.empty()) choice.among = accepted;
+    std::erase_if(choice.among,
+                  [&accepted](const std::string& model) { return std::ranges::find(accepted, model) == accepted.end(); });
     choice.same_format = false;
   }
   return choice;

@@ -7,7 +7,7 @@
 
 namespace fca {
 
-/// A file descriptor that closes itself; -1 is none.
+/// Owns a file descriptor and closes it in its destructor. The descriptor is -1 if there is no open file.
 class Descriptor {
  public:
   explicit Descriptor(int fd) : fd_(fd) {}
@@ -23,7 +23,7 @@ class Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
 
   [[nodiscard]] int get() const { return fd_; }
-  /// Closes the file. False if that fails: errors of delayed writes appear only here.
+  /// Closes the file. Returns false if the system reports an error: it may report a failed write only at this point.
   [[nodiscard]] bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
 
  private:

@@ -19,11 +19,11 @@ bool save(const ConvertResult& result, const std::string& folder, Diagnostics& d
     return false;
   }
   namespace fs = std::filesystem;
-  std::error_code error;  // ignored: writing into the folder reports the error
+  std::error_code ignored;  // write_files() reports a folder that could not be created
   std::vector<OutputFile> files;
   for (const ConvertedFile& file : result.files) {
     const fs::path path = fs::path(folder) / name_in_folder(file);
-    fs::create_directories(path.parent_path(), error);
+    fs::create_directories(path.parent_path(), ignored);
     files.push_back({path.string(), file.bytes});
   }
   const std::optional<Message> problem = write_files(files, replaces, false);

@@ -7,11 +7,11 @@
 
 namespace fca {
 
-/// The prefix of temporary files' names.
+/// The prefix of the names of temporary files.
 inline constexpr const char* kTemporaryFile = ".fca-io-";
 
-/// Opens a file without a name in that folder for reading and writing; it is gone when it is closed. If that fails, the
-/// descriptor is -1 and errno has the reason.
+/// Creates a file without a name in the folder and opens it for reading and writing. The file disappears when it is closed. If
+/// it cannot be created, the descriptor is -1 and errno has the reason.
 [[nodiscard]] Descriptor unnamed_file_in(const std::string& folder);
 
 }  // namespace fca
