@@ -14,7 +14,7 @@ namespace fca {
 
 namespace {
 
-/// One channel, whose samples are of type T.
+/// Copies one channel of an image whose samples have the type T.
 template <class T>
 void put_samples(const Image& image, std::size_t channel, std::span<float> samples) {
   const std::uint8_t* from = image.bytes.data() + channel * sizeof(T);
@@ -39,8 +39,8 @@ void put_samples(const Image& image, std::size_t channel, std::span<float> sampl
   }
 }
 
-/// The level of white. Floating-point samples have no largest value: the image's own is taken, at least 1. Sensors of 10, 12 or
-/// 14 bits deliver 16-bit samples whose high bits are mostly 0.
+/// The level that white has. For floating-point samples, it is the largest sample of the image, but at least 1. For 16-bit
+/// samples, it is the largest level of 10, 12, 14 or 16 bits: sensors with fewer than 16 bits leave the high bits 0.
 float full_scale_of(const Image& image, const std::vector<GreyImage>& planes) {
   if (image.sample == Image::Sample::k8Bit) return 255.0F;
   float largest = 1.0F;
