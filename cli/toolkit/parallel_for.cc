@@ -17,9 +17,9 @@ namespace {
 /// True if the address space is limited to less than 512 MB. Then no threads are started: the stack of a thread takes 8 MB,
 /// which glibc does not free when the thread ends, and OpenCV's module needs this memory.
 bool address_space_is_short() {
-  constexpr rlim_t kNeeded = 512UL << 20U;
+  constexpr rlim_t kNeededBytes = 512UL << 20U;
   rlimit limit{};
-  return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur < kNeeded;
+  return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur < kNeededBytes;
 }
 
 /// Starts the function in a new thread. If no thread can be started, the returned thread is not joinable.

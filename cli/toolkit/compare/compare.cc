@@ -87,7 +87,7 @@ void evaluate_pixels(const CompareRequest& request, const ReferenceFile& referen
   for (const CameraComparison& camera : compared.comparison->cameras) {
     if (camera.identical) continue;
     const ErrorStatistics& statistics = camera.decisive().statistics;
-    constexpr double kNoticeable = 1e-3;  // share of the image
+    constexpr double kNoticeableShare = 1e-3;  // share of the image
     const double missing_share = statistics.coverage.unrepresentable;
     if (!(statistics.coverage.scored > 0.0)) {
       reject(compared, Code::kNothingCompared, {camera.other});
@@ -95,7 +95,7 @@ void evaluate_pixels(const CompareRequest& request, const ReferenceFile& referen
     }
     if (statistics.error.max > limit_px)
       reject(compared, Code::kDifferenceBeyondLimit, {camera.other, statistics.error.max, limit_px});
-    if (missing_share > kNoticeable) {
+    if (missing_share > kNoticeableShare) {
       std::vector<Message> hint;
       if (!request.reference.lens_circles.empty()) hint.push_back({Code::kInPlaceOfCircle});
       reject(compared, Code::kPixelsMissing, {camera.other, missing_share, hint});
@@ -173,7 +173,7 @@ ComparedFile compare(const CompareRequest& request, const ReferenceFile& referen
     name_poses_by_keys(*compared.calibration, compared.comparison->mistakes);
     compared.pair = pair_error_of(reference.calibration->rig, compared.calibration->rig, *compared.comparison);
     if (request.reference.change.changes_nothing())
-      compared.inverse_px = inverses_apart_px(*reference.calibration, *compared.calibration);
+      compared.inverse_px = inverse_distance_px(*reference.calibration, *compared.calibration);
   }
   compared.status = status_of(compared.diagnostics);
   if (compared.status == Status::kDone) apply_limits(request, reference, compared);

@@ -10,7 +10,7 @@
 
 namespace fca {
 
-std::optional<double> inverses_apart_px(const Calibration& reference, const Calibration& other) {
+std::optional<double> inverse_distance_px(const Calibration& reference, const Calibration& other) {
   // The camera as a program that projects by the inverse polynomial loads it; empty if no program reads the format so.
   const auto view_of = [](const Calibration& calibration) {
     const auto programs = consumers::all_consumers();
@@ -27,7 +27,7 @@ std::optional<double> inverses_apart_px(const Calibration& reference, const Cali
   const consumers::ConsumerCamera& other_camera = other_view.cameras.front();
   if (reference_camera.width != other_camera.width || reference_camera.height != other_camera.height) return std::nullopt;
   const CameraModel& reference_model = reference.rig.cameras.front().model;
-  constexpr int kSteps = 100;
+  constexpr int kSteps = 100;  // of a lattice along each side of the image
   double worst = 0.0;
   for (int i = 0; i <= kSteps; ++i) {
     for (int j = 0; j <= kSteps; ++j) {

@@ -14,14 +14,14 @@ namespace fca {
 
 namespace {
 
-constexpr int kNothing = -1;  // a source index: no pixel
+constexpr int kNoSource = -1;  // the source index of a pixel that no disc covers
 
-/// Returns, for each pixel of the painted image, the index of the image pixel from which its colour comes. kNothing: no disc
+/// Returns, for each pixel of the painted image, the index of the image pixel from which its colour comes. kNoSource: no disc
 /// covers the pixel, and it is black.
 std::vector<int> colour_sources(int width, int height, const Placement& place) {
   // The offsets (right, down) of a filled disc of radius 1 px.
   constexpr std::array<std::array<int, 2>, 5> kDisc = {{{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
-  std::vector<int> source_index(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kNothing);
+  std::vector<int> source_index(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kNoSource);
   const auto inside = [](double value, int end) { return value >= 0.0 && value < end; };
   // The order is that of the program, column by column: where discs overlap, the last one is visible.
   for (int u = 0; u < width; ++u) {
@@ -47,7 +47,7 @@ GreyImage paint(const GreyImage& image, const std::vector<int>& source_index) {
   constexpr float kFullScale = 255.0F;
   GreyImage result{image.width, image.height, kFullScale, std::vector<float>(source_index.size(), 0.0F)};
   for (std::size_t i = 0; i < source_index.size(); ++i) {
-    if (source_index[i] != kNothing)
+    if (source_index[i] != kNoSource)
       result.samples[i] = std::floor(image.samples[static_cast<std::size_t>(source_index[i])] * kFullScale / image.full_scale);
   }
   return result;
@@ -55,12 +55,12 @@ GreyImage paint(const GreyImage& image, const std::vector<int>& source_index) {
 
 /// Returns true for each pixel whose grey level, rounded to a whole number, is not 0.
 std::vector<bool> not_black(const std::vector<GreyImage>& colours) {
-  constexpr std::array<double, 3> kShares = {0.114, 0.587, 0.299};  // weights of blue, green and red
+  constexpr std::array<double, 3> kGreyWeights = {0.114, 0.587, 0.299};  // of blue, green and red
   std::vector<bool> result;
   for (std::size_t i = 0; i < colours.front().samples.size(); ++i) {
     double grey = 0.0;
     for (std::size_t c = 0; c < colours.size(); ++c)
-      grey += (colours.size() == kShares.size() ? kShares.at(c) : 1.0) * static_cast<double>(colours[c].samples[i]);
+      grey += (colours.size() == kGreyWeights.size() ? kGreyWeights.at(c) : 1.0) * static_cast<double>(colours[c].samples[i]);
     result.push_back(std::lround(grey) != 0);
   }
   return result;
@@ -155,8 +155,8 @@ double psnr(const std::vector<GreyImage>& one, const std::vector<GreyImage>& oth
     squares += difference * difference;
     count += 1.0;
   }
-  constexpr double kSame = 1e-10;  // a sum of squared differences that the program takes for 0
-  return squares <= kSame ? 0.0 : psnr_db(squares / count, static_cast<double>(one.front().full_scale));
+  constexpr double kNegligibleSum = 1e-10;  // a sum of squared differences that the program takes for 0
+  return squares <= kNegligibleSum ? 0.0 : psnr_db(squares / count, static_cast<double>(one.front().full_scale));
 }
 
 /// Paints all colour planes of an image.

@@ -61,17 +61,17 @@ Resampled resample(const std::vector<GreyImage>& original, const EvaluatedTable&
 
 /// Compares the pixels whose mask is 255: the PSNR of the squared error averaged over the colours, and the mean SSIM of the
 /// colours.
-RecoveredImage compare_images(const std::vector<GreyImage>& before, const Resampled& after) {
-  const auto colours = static_cast<double>(before.size());
+RecoveredImage compare_images(const std::vector<GreyImage>& original, const Resampled& resampled) {
+  const auto colours = static_cast<double>(original.size());
   RecoveredImage result;
   double mean_square = 0.0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const ImageSimilarity colour = similarity(before[i], after.colours[i], after.mask);
+  for (std::size_t i = 0; i < original.size(); ++i) {
+    const ImageSimilarity colour = similarity(original[i], resampled.colours[i], resampled.mask);
     mean_square += colour.mean_square / colours;
     result.ssim += colour.ssim / colours;
     result.compared = colour.compared;  // the same share for every colour: they have one mask
   }
-  result.psnr_db = psnr_db(mean_square, before.front().full_scale);
+  result.psnr_db = psnr_db(mean_square, original.front().full_scale);
   return result;
 }
 
@@ -93,15 +93,16 @@ Image picture_of(const std::vector<GreyImage>& same_size_as, const Levels& level
 }
 
 /// The resampled image, and the amplified difference of its levels from the original's. Pixels whose mask is 0 are black.
-RecoveredPictures pictures_of(const std::vector<GreyImage>& before, const Resampled& after) {
+RecoveredPictures pictures_of(const std::vector<GreyImage>& original, const Resampled& resampled) {
   constexpr double kDifferenceGain = 16.0;
-  const auto known = [&after](std::size_t pixel) { return after.mask[pixel] != 0; };
+  const auto known = [&resampled](std::size_t pixel) { return resampled.mask[pixel] != 0; };
   const auto level = [](const GreyImage& image, std::size_t pixel) { return static_cast<double>(image.samples[pixel]); };
-  return {picture_of(before, [&](std::size_t colour,
-                                 std::size_t pixel) { return known(pixel) ? level(after.colours[colour], pixel) : 0.0; }),
-          picture_of(before, [&](std::size_t colour, std::size_t pixel) {
-            return known(pixel) ? kDifferenceGain * std::abs(level(after.colours[colour], pixel) - level(before[colour], pixel))
-                                : 0.0;
+  return {picture_of(original, [&](std::size_t colour,
+                                   std::size_t pixel) { return known(pixel) ? level(resampled.colours[colour], pixel) : 0.0; }),
+          picture_of(original, [&](std::size_t colour, std::size_t pixel) {
+            return known(pixel)
+                       ? kDifferenceGain * std::abs(level(resampled.colours[colour], pixel) - level(original[colour], pixel))
+                       : 0.0;
           })};
 }
 
@@ -117,10 +118,10 @@ Placement placement_of(const EvaluatedRow& row) {
 void add_to_table(const std::vector<GreyImage>& colours, bool with_pictures, EvaluatedTable& table) {
   constexpr std::string_view kSourceOfFigure3 = "KB";
   for (EvaluatedRow& row : table.rows) {
-    const Resampled after = resample(colours, table, row);
-    row.recovered = compare_images(colours, after);
+    const Resampled resampled = resample(colours, table, row);
+    row.recovered = compare_images(colours, resampled);
     row.painted = painted_image(colours, placement_of(row));
-    if (with_pictures && row.published.from.name == kSourceOfFigure3) row.pictures = pictures_of(colours, after);
+    if (with_pictures && row.published.from.name == kSourceOfFigure3) row.pictures = pictures_of(colours, resampled);
   }
   table.painted_noise = painted_with_noise(colours);
 }

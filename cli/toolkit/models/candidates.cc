@@ -85,9 +85,9 @@ const Candidate* best(const std::vector<Candidate>& candidates, Admits&& admits)
 }  // namespace
 
 bool reaches_all(const Candidate& candidate) {
-  constexpr double kNoticeable = 0.01;  // share of the region
+  constexpr double kNoticeableShare = 0.01;  // share of the region
   const bool ends_early = !candidate.in_circle && candidate.conversion->report.angle_reduced;
-  return !ends_early && candidate.decisive().no_rays <= kNoticeable;
+  return !ends_early && candidate.decisive().no_rays <= kNoticeableShare;
 }
 
 std::vector<const Candidate*> ranked(const std::vector<Candidate>& candidates) {

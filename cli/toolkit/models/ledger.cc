@@ -19,7 +19,7 @@ struct Fact {
   Code name;
 };
 
-constexpr std::array kFacts = {
+constexpr std::array kKindsOfFacts = {
     Fact{&Format::many_cameras, Code::kLedgerSeveralCameras},
     Fact{&Format::extrinsics, Code::kLedgerPoses},
     Fact{&Format::imu, Code::kLedgerImu},
@@ -31,7 +31,7 @@ constexpr std::array kFacts = {
 
 /// True if a conversion fills in a default for a value that the target requires: the source's files can contain the thing to
 /// which the value belongs, but not the value itself.
-bool is_made_up(const Demand& demand, const Format& from, const Format& to) {
+bool needs_default(const Demand& demand, const Format& from, const Format& to) {
   // If the target has only one model, every camera is converted to that model, so that the value is always required.
   const bool is_one_of_several = !demand.of_model.empty() && to.models.size() > 1;
   if (is_one_of_several && find_stored_model(from, demand.of_model, true) == nullptr) return false;
@@ -75,7 +75,7 @@ const StoredModel* container_of(const StoredModel& from, const Format& to) {
 
 /// How a model is converted exactly: unchanged, unchanged within ranges, or as a model that contains it. nullopt if the model
 /// is always fitted.
-std::optional<LedgerModel> as_exact(const StoredModel& from, const Format& to) {
+std::optional<LedgerModel> exact_conversion_of(const StoredModel& from, const Format& to) {
   const StoredModel* outer = container_of(from, to);
   const std::string_view as = outer != nullptr ? outer->model : std::string_view();
   if (const StoredModel* in_target = find_stored_model(to, from.model, true)) {
@@ -87,7 +87,7 @@ std::optional<LedgerModel> as_exact(const StoredModel& from, const Format& to) {
 }
 
 /// The ranges outside which a model must be fitted although the target has this model.
-std::vector<ParameterRange> limits_of_exact(const StoredModel& from, const Format& to) {
+std::vector<ParameterRange> limits_of_unchanged(const StoredModel& from, const Format& to) {
   const StoredModel* in_target = find_stored_model(to, from.model, true);
   std::vector<ParameterRange> ranges = in_target != nullptr ? limits(from, *in_target) : std::vector<ParameterRange>();
   const bool held_by_another = are_of_missing_parameters(ranges) && container_of(from, to) != nullptr;
@@ -97,12 +97,12 @@ std::vector<ParameterRange> limits_of_exact(const StoredModel& from, const Forma
 /// Adds the source's models to the row: to `exact`, to `fitted`, or (exact within limits only) to both.
 void list_models(const Format& from, const Format& to, LedgerRow& row) {
   for (const StoredModel& stored : from.models) {
-    const std::optional<LedgerModel> exact = as_exact(stored, to);
+    const std::optional<LedgerModel> exact = exact_conversion_of(stored, to);
     std::vector<LedgerModel>& list = exact ? row.exact : row.fitted;
     const LedgerModel model = exact.value_or(LedgerModel{stored.model});
     if (std::ranges::find(list, model) == list.end()) list.push_back(model);
-    std::vector<ParameterRange> beyond = limits_of_exact(stored, to);
-    if (!beyond.empty()) row.fitted.push_back({stored.model, {}, std::move(beyond)});
+    std::vector<ParameterRange> ranges = limits_of_unchanged(stored, to);
+    if (!ranges.empty()) row.fitted.push_back({stored.model, {}, std::move(ranges)});
   }
 }
 
@@ -120,7 +120,7 @@ void list_lost_to_pairs(const Format& from, const Format& to, std::vector<Messag
 std::vector<Message> dropped(const Format& from, const Format& to) {
   std::vector<Message> result;
   const bool states_imu = from.imu || from.imu_pose;
-  for (const Fact& fact : kFacts) {
+  for (const Fact& fact : kKindsOfFacts) {
     // A file with one camera only contains the camera's pose in the frame of the format. If this frame is the IMU, the poses
     // between cameras follow from those of several files.
     const bool is_held = fact.held == &Format::imu ? states_imu : from.*fact.held;
@@ -147,7 +147,7 @@ std::vector<Message> defaulted(const Format& from, const Format& to) {
     const bool is_listed = std::ranges::any_of(result, [&demand](const Message& each) {
       return each == Message{Code::kLedgerNamed, {demand.name}};
     });
-    if (is_made_up(demand, from, to) && !is_listed) result.push_back({Code::kLedgerNamed, {demand.name}});
+    if (needs_default(demand, from, to) && !is_listed) result.push_back({Code::kLedgerNamed, {demand.name}});
   }
   if (from.leaves_unit_open() && !to.leaves_unit_open() && to.extrinsics) result.push_back({Code::kLedgerLengthUnit});
   if (to.image_size && !from.image_size) result.push_back({Code::kLedgerSizeAsked});

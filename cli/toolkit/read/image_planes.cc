@@ -46,15 +46,15 @@ float full_scale_of(const Image& image, const std::vector<GreyImage>& planes) {
   float largest = 1.0F;
   for (const GreyImage& plane : planes) largest = std::max(largest, *std::ranges::max_element(plane.samples));
   if (image.sample == Image::Sample::kFloat) return largest;
-  constexpr std::array<float, 4> kDepths = {1023.0F, 4095.0F, 16383.0F, 65535.0F};
-  return *std::ranges::lower_bound(kDepths, largest);
+  constexpr std::array<float, 4> kLargestLevels = {1023.0F, 4095.0F, 16383.0F, 65535.0F};
+  return *std::ranges::lower_bound(kLargestLevels, largest);
 }
 
 }  // namespace
 
 std::vector<GreyImage> planes(const Image& image) {
-  constexpr int kWithOpacity = 4;
-  const int colours = image.channels == kWithOpacity ? kWithOpacity - 1 : image.channels;
+  constexpr int kChannelsWithOpacity = 4;
+  const int colours = image.channels == kChannelsWithOpacity ? kChannelsWithOpacity - 1 : image.channels;
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   std::vector<GreyImage> result;
   for (int colour = 0; colour < colours; ++colour) {

@@ -13,8 +13,8 @@ namespace {
 bool is_discrete(NoiseKind kind) { return kind == NoiseKind::kDiscrete || kind == NoiseKind::kDiscreteVariance; }
 bool is_variance(NoiseKind kind) { return kind == NoiseKind::kVariance || kind == NoiseKind::kDiscreteVariance; }
 
-constexpr std::array kWhite = {&Imu::gyroscope_noise_density, &Imu::accelerometer_noise_density};
-constexpr std::array kWalks = {&Imu::gyroscope_random_walk, &Imu::accelerometer_random_walk};
+constexpr std::array kNoiseDensities = {&Imu::gyroscope_noise_density, &Imu::accelerometer_noise_density};
+constexpr std::array kRandomWalks = {&Imu::gyroscope_random_walk, &Imu::accelerometer_random_walk};
 
 /// Replaces those of the given members of an IMU that are set by their changed values.
 template <class Members, class Change>
@@ -57,16 +57,16 @@ bool make_densities(NoiseKind kind, const std::string& input, Rig& rig, Diagnost
     Message steps;
     if (is_variance(kind)) {
       const auto root = [](double variance) { return std::sqrt(variance); };
-      change_values(imu, kWhite, root);
-      change_values(imu, kWalks, root);
+      change_values(imu, kNoiseDensities, root);
+      change_values(imu, kRandomWalks, root);
       steps = {Code::kRootsOfVariances};
     }
     // The density of white noise is sigma_d / sqrt(rate), and the density of a random walk is sigma_bd * sqrt(rate). Source:
     // Kalibr's wiki, "IMU Noise Model" (sigma_d = sigma / sqrt(dt), sigma_bd = sigma_b sqrt(dt)).
     if (is_discrete(kind)) {
       const double root = std::sqrt(*imu.rate_hz);
-      change_values(imu, kWhite, [root](double sigma) { return sigma / root; });
-      change_values(imu, kWalks, [root](double sigma) { return sigma * root; });
+      change_values(imu, kNoiseDensities, [root](double sigma) { return sigma / root; });
+      change_values(imu, kRandomWalks, [root](double sigma) { return sigma * root; });
       const Message by_rate = {Code::kByRate, {*imu.rate_hz}};
       steps = steps.is_said() ? Message{Code::kRootsThenRate, {by_rate}} : by_rate;
     }

@@ -48,7 +48,8 @@ Camera* camera_of(const CameraImage& image, Rig& rig) {
 }
 
 /// Groups the images by camera and removes duplicates. nullopt, with an error, if an image has no known camera or no path.
-std::optional<std::vector<SampleImages>> by_camera(const std::vector<CameraImage>& images, Rig& rig, Diagnostics& diagnostics) {
+std::optional<std::vector<SampleImages>> group_by_camera(const std::vector<CameraImage>& images, Rig& rig,
+                                                         Diagnostics& diagnostics) {
   std::vector<SampleImages> result;
   for (const CameraImage& image : images) {
     Camera* camera = camera_of(image, rig);
@@ -68,8 +69,8 @@ Message list_of(const std::vector<std::string>& paths) {
   std::vector<std::string> names;
   names.reserve(paths.size());
   for (const std::string& path : paths) names.push_back(text::printable(std::filesystem::path(path).filename().string()));
-  constexpr std::size_t kFew = 3;
-  if (names.size() <= kFew) return {Code::kImagesByName, {names}};
+  constexpr std::size_t kMaxNames = 3;
+  if (names.size() <= kMaxNames) return {Code::kImagesByName, {names}};
   return {Code::kImagesByNumber, {names.size()}};
 }
 
@@ -98,11 +99,11 @@ void warn_of_doubts(const Camera& camera, const std::string& path, Diagnostics& 
 
 /// Warns about images that show another circle: they may be from another camera, or show something else that is round.
 void warn_of_contradicting(const ImageCircleSearch& search, const Camera& camera, const std::vector<std::string>& paths,
-                           const std::vector<std::string>& showing_circle, Diagnostics& diagnostics) {
+                           const std::vector<std::string>& images_with_circle, Diagnostics& diagnostics) {
   for (const std::size_t image : search.contradicting(*camera.lens_circle)) {
     const LensCircle other = *search.alone(image);
     diagnostics.add(Code::kCirclesDiffer,
-                    {camera.name, other.centre[0], other.centre[1], other.radius_px, list_of(showing_circle)},
+                    {camera.name, other.centre[0], other.centre[1], other.radius_px, list_of(images_with_circle)},
                     {paths.at(image), 0, 0});
   }
 }
@@ -191,9 +192,9 @@ bool add_circle(const SampleImages& sample, const ImageChange& change, Files& fi
   }
   if (!remove_contradicting(camera, paths, change, files, *searched, diagnostics)) return false;
   LensCircle& circle = *searched->camera.lens_circle;
-  const std::vector<std::string> showing_circle = images_showing(searched->search, circle, paths);
-  circle.why = {Code::kImageCircleOf, {list_of(showing_circle)}};
-  warn_of_doubts(searched->camera, showing_circle.front(), diagnostics);
+  const std::vector<std::string> images_with_circle = images_showing(searched->search, circle, paths);
+  circle.why = {Code::kImageCircleOf, {list_of(images_with_circle)}};
+  warn_of_doubts(searched->camera, images_with_circle.front(), diagnostics);
   camera.lens_circle = circle_before_change(camera, change, searched->camera);
   if (!camera.lens_circle) diagnostics.add(Code::kCircleInStretchedImages, {camera.name}, {paths.front(), 0, 0});
   return true;
@@ -203,7 +204,7 @@ bool add_circle(const SampleImages& sample, const ImageChange& change, Files& fi
 
 bool add_lens_circles(const std::vector<CameraImage>& images, const ImageChange& change, Files& files, Rig& rig,
                       Diagnostics& diagnostics) {
-  const std::optional<std::vector<SampleImages>> samples = by_camera(images, rig, diagnostics);
+  const std::optional<std::vector<SampleImages>> samples = group_by_camera(images, rig, diagnostics);
   return samples &&
          std::ranges::all_of(*samples, [&](const SampleImages& each) { return add_circle(each, change, files, diagnostics); });
 }

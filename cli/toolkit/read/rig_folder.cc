@@ -58,8 +58,8 @@ bool has_model_file(const fs::path& folder, std::string_view name, const std::st
 
 /// True if the folder contains all files of a COLMAP model with that extension.
 bool is_whole_model(const fs::path& folder, const std::string& extension) {
-  constexpr std::array<std::string_view, 3> kNeeded = {"cameras", "images", "points3D"};
-  return std::ranges::all_of(kNeeded, [&](std::string_view name) { return has_model_file(folder, name, extension); });
+  constexpr std::array<std::string_view, 3> kModelFiles = {"cameras", "images", "points3D"};
+  return std::ranges::all_of(kModelFiles, [&](std::string_view name) { return has_model_file(folder, name, extension); });
 }
 
 }  // namespace
@@ -68,18 +68,19 @@ std::vector<std::string> rig_files_in(const std::string& folder) {
   std::vector<std::string> files;
   std::error_code ignored;
   if (folder.empty() || !fs::is_directory(folder, ignored)) return files;
-  for (const fs::path& each : {fs::path(folder) / "mav0", fs::path(folder)}) {
-    add_sensors(each, "cam", files);
+  for (const fs::path& place : {fs::path(folder) / "mav0", fs::path(folder)}) {
+    add_sensors(place, "cam", files);
     if (files.empty()) continue;
-    add_sensors(each, "imu", files);
+    add_sensors(place, "imu", files);
     return files;
   }
-  constexpr std::array<std::string_view, 3> kOfKimera = {"LeftCameraParams.yaml", "RightCameraParams.yaml", "ImuParams.yaml"};
-  for (const std::string_view name : kOfKimera) {
+  constexpr std::array<std::string_view, 3> kKimeraFiles = {"LeftCameraParams.yaml", "RightCameraParams.yaml",
+                                                            "ImuParams.yaml"};
+  for (const std::string_view name : kKimeraFiles) {
     if (const fs::path file = fs::path(folder) / name; is_file(file)) files.push_back(file.string());
   }
   // A folder with a file of an IMU, but without cameras, is not a rig.
-  const bool has_camera = !files.empty() && !files.front().ends_with(kOfKimera.back());
+  const bool has_camera = !files.empty() && !files.front().ends_with(kKimeraFiles.back());
   return has_camera ? files : std::vector<std::string>();
 }
 

@@ -30,9 +30,9 @@ std::optional<std::vector<double>> coefficients_of(const CameraModel& model) {
 
 }  // namespace
 
-std::optional<RectifiedPair> rectified_by(const OpenCvRectifier& opencv, const std::array<Camera, 2>& cameras,
-                                          const Transform& T_second_first, double alpha, const ImageSize& size,
-                                          Diagnostics& diagnostics) {
+std::optional<RectifiedPair> rectify_with_opencv(const OpenCvRectifier& opencv, const std::array<Camera, 2>& cameras,
+                                                 const Transform& T_second_first, double alpha, const ImageSize& size,
+                                                 Diagnostics& diagnostics) {
   OpenCvPair pair;
   pair.alpha = alpha;
   pair.size = *cameras[0].image_size;

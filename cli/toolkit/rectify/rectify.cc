@@ -45,7 +45,7 @@ std::optional<RectifiedPair> computed_rectification(const RectifyRequest& reques
   std::optional<RectifiedPair> ours = rectify(first, second, source.T_second_first, options, result.diagnostics);
   if (!request.like_opencv || !ours) return ours;
   std::optional<RectifiedPair> by_opencv =
-      rectified_by(request.like_opencv, source.cameras, source.T_second_first, alpha, *ours->size, result.diagnostics);
+      rectify_with_opencv(request.like_opencv, source.cameras, source.T_second_first, alpha, *ours->size, result.diagnostics);
   if (!by_opencv) return std::nullopt;
   for (std::size_t i = 0; i < 2; ++i)
     by_opencv->views.at(i).valid = valid_region(source.cameras.at(i), *by_opencv, i, *ours->size);
@@ -60,9 +60,9 @@ void warn_of_contradiction(const SourcePair& source, const RectifiedPair& pair, 
   const Transform pose_in_rectification = pose_of(pair);
   const double angle = kDegreesPerRadian * angle_between(pose_in_rectification, source.T_second_first);
   const double metres = distance_between(pose_in_rectification, source.T_second_first);
-  constexpr double kNoticeable = 0.05;        // deg
+  constexpr double kNoticeableAngle = 0.05;   // deg
   constexpr double kNoticeableShare = 0.005;  // of the distance between the cameras
-  if (angle <= kNoticeable && metres <= kNoticeableShare * distance_of(source.T_second_first)) return;
+  if (angle <= kNoticeableAngle && metres <= kNoticeableShare * distance_of(source.T_second_first)) return;
   const Message facts = {Code::kRectificationContradicts,
                          {source.cameras[0].name, source.cameras[1].name, angle, kMmPerM * metres}};
   diagnostics.add({Severity::kWarning, facts, {file, 0, 0}});

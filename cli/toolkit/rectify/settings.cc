@@ -76,8 +76,8 @@ bool can_store(const RectifyRequest& request, const RectifyResult& result, Diagn
     if (result.pair.is_vertical) return refuse(Code::kRectifyVertical, {first.name, second.name, program});
     const double left = result.pair.views[0].centre[0];
     const double right = result.pair.views[1].centre[0];
-    constexpr double kSame = 1e-3;  // px
-    if (std::abs(left - right) > kSame) return refuse(Code::kRectifyCentresDiffer, {left, right, program});
+    constexpr double kLargestDifference = 1e-3;  // px
+    if (std::abs(left - right) > kLargestDifference) return refuse(Code::kRectifyCentresDiffer, {left, right, program});
   } else if (first.image_size && *first.image_size != result.size) {
     return refuse(Code::kRectifySizesDiffer, {first.name, first.image_size->width, first.image_size->height,
                                               "the rectified pair", result.size.width, result.size.height});

@@ -37,7 +37,7 @@ struct View {
 };
 
 /// If the file contains a rectification R and P of ROS: the camera of the rectified image. Otherwise the camera itself.
-View as_rectified(const Rig& rig, const Camera& camera) {
+View rectified_view_of(const Rig& rig, const Camera& camera) {
   if (const std::optional<RectifiedImage> image = rectified_image(rig, camera))
     return {image->camera, image->T_rectified_camera};
   return {camera};
@@ -51,8 +51,8 @@ std::optional<View> camera_of_file(const std::string& file, const std::string& n
   if (!calibration) return std::nullopt;
   const std::vector<Camera>& cameras = calibration->rig.cameras;
   const auto namesake = std::ranges::find(cameras, name, &Camera::name);
-  if (cameras.size() == 1) return as_rectified(calibration->rig, cameras.front());
-  if (namesake != cameras.end()) return as_rectified(calibration->rig, *namesake);
+  if (cameras.size() == 1) return rectified_view_of(calibration->rig, cameras.front());
+  if (namesake != cameras.end()) return rectified_view_of(calibration->rig, *namesake);
   std::vector<std::string> names;
   names.reserve(cameras.size());
   for (const Camera& camera : cameras) names.push_back(camera.name);
@@ -63,8 +63,8 @@ std::optional<View> camera_of_file(const std::string& file, const std::string& n
 
 /// Converts the source camera to a model. A large error of the fit does no harm: the new images are exactly those of the
 /// result. nullopt, with errors, if the conversion fails.
-std::optional<Camera> as_model(const RemapRequest& request, const ModelInfo& model, const Camera& source,
-                               Diagnostics& diagnostics) {
+std::optional<Camera> converted_source(const RemapRequest& request, const ModelInfo& model, const Camera& source,
+                                       Diagnostics& diagnostics) {
   ConvertOptions options;
   options.model = model.id;
   options.max_angle_rad = request.inputs.max_angle_rad;
@@ -93,7 +93,7 @@ std::optional<View> view_of(const RemapRequest& request, const Camera& source, F
     return camera_of_file(file->path, source.name, files, diagnostics);
   if (const auto* as = std::get_if<AsModel>(&request.view)) {
     const std::optional<Camera> camera =
-        as_model(request, as->model != nullptr ? *as->model : model_info(source.model), source, diagnostics);
+        converted_source(request, as->model != nullptr ? *as->model : model_info(source.model), source, diagnostics);
     return camera ? std::optional(View{*camera}) : std::nullopt;
   }
   Camera camera = source;

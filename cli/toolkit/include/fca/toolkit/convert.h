@@ -159,8 +159,8 @@ struct ConvertResult {
   double max_px = 0.0;              ///< Error at the worst pixel of all cameras.
   std::optional<PairError> pair;    ///< Error of the stereo pair among the written cameras, if there is one.
   std::optional<NearerFit> nearer;  ///< A fit to the inscribed circles that is much better there; the files do not contain it.
-  std::vector<OtherWriting>
-      others;  ///< Alternatives that were tried: worse ones or, if the request fixes the choice, better ones.
+  /// Alternatives that were tried: worse ones or, if the request fixes the layout or model, better ones.
+  std::vector<OtherWriting> others;
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
   std::vector<ProofResult> proofs;
