@@ -44,7 +44,7 @@ std::optional<TimedConversion> timed_conversion(const Camera& camera, ConvertOpt
   std::array<double, kRuns> times{};
   options.bound = false;
   for (double& time : times) {
-    Diagnostics discarded;  // the conversion below reports them
+    Diagnostics discarded;  // the same as those of the conversion below
     const std::optional<Conversion> conversion = convert(camera, options, discarded);
     if (conversion) time = conversion->report.fit.time_us;
   }
@@ -71,7 +71,8 @@ SampleError error_on_samples(const CameraModel& source, const CameraModel& targe
 }
 
 /// Repeats a conversion of the paper. If the table has no calibration in the row's source model, the source is the table's
-/// first calibration converted to that model. nullopt if a conversion fails.
+/// first calibration converted to that model. nullopt if a conversion fails or the table has no calibration in the target
+/// model.
 std::optional<EvaluatedRow> evaluate_row(const paper::ConversionTable& table, const paper::Row& row, Diagnostics& diagnostics) {
   ConvertOptions options;
   options.max_angle_rad = radians(table.max_angle_deg);
@@ -113,11 +114,12 @@ struct PolynomialFit {
   std::vector<ParameterRange> fixed;    ///< Parameters with fixed values.
 };
 
+/// The fits that are compared with the polynomials of Table 3, from the most similar to the paper's to the least similar.
 std::vector<PolynomialFit> polynomial_fits() {
   const std::vector<ParameterRange> degree_2 = {{"a3", 0.0, 0.0}, {"a4", 0.0, 0.0}};
-  std::vector<ParameterRange> as_in_the_paper = degree_2;
-  as_in_the_paper.insert(as_in_the_paper.end(), {{"c", 1.0, 1.0}, {"d", 0.0, 0.0}, {"e", 0.0, 0.0}});
-  return {{"fca-io, degree 2, c = 1", 90.0, as_in_the_paper},
+  std::vector<ParameterRange> fixed_in_paper = degree_2;
+  fixed_in_paper.insert(fixed_in_paper.end(), {{"c", 1.0, 1.0}, {"d", 0.0, 0.0}, {"e", 0.0, 0.0}});
+  return {{"fca-io, degree 2, c = 1", 90.0, fixed_in_paper},
           {"fca-io, degree 2", 90.0, degree_2},
           {"fca-io, degree 2", std::nullopt, degree_2},
           {"fca-io, degree 4", std::nullopt, {}}};

@@ -69,7 +69,7 @@ RecoveredImage compare_images(const std::vector<GreyImage>& original, const Resa
     const ImageSimilarity colour = similarity(original[i], resampled.colours[i], resampled.mask);
     mean_square += colour.mean_square / colours;
     result.ssim += colour.ssim / colours;
-    result.compared = colour.compared;  // the same share for every colour: they have one mask
+    result.compared = colour.compared;  // the same for all colours, since they have one mask
   }
   result.psnr_db = psnr_db(mean_square, original.front().full_scale);
   return result;

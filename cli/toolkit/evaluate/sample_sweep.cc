@@ -25,7 +25,7 @@ std::optional<SweepPoint> point_of(const Camera& source, const EvaluatedRow& row
   std::array<double, kRuns> times{};
   std::optional<Conversion> conversion;
   for (double& time : times) {
-    Diagnostics discarded;  // the conversion of the table has reported them
+    Diagnostics discarded;  // those of the table's conversion suffice
     conversion = convert(source, options, discarded);
     if (!conversion) return std::nullopt;
     time = conversion->report.fit.time_us;

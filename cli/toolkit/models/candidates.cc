@@ -61,7 +61,7 @@ std::optional<CircleFit> fitted_in_circle(const Camera& camera, const Candidate&
   options.model = candidate.model->id;
   options.max_angle_rad = *degrees * std::numbers::pi / 180.0;
   options.bound = false;
-  Diagnostics discarded;  // the fit to the whole lens has reported them
+  Diagnostics discarded;  // those of the fit to the whole lens suffice
   const std::optional<Conversion> conversion = convert(camera, options, discarded);
   if (!conversion || conversion->report.angle_reduced) return std::nullopt;
   const PixelDistance distance = distance_to(camera, conversion->camera.model, std::nullopt).in_circle;
