@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parallel work. If the system cannot start another thread (a limit on processes, no memory for a stack), the existing threads
-// do all of it; that is not an error.
+// Runs work in parallel threads. If the system cannot start another thread (because of a limit on processes, or without memory
+// for a stack), the existing threads do all the work; this is not an error.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,14 @@
 
 namespace fca {
 
-/// Calls body(0) .. body(count - 1), up to `jobs` at the same time (0: the number of processors), started in that order. The
-/// calls must be independent. If one throws, no further call starts; when those that run have ended, this function throws the
-/// first exception.
+/// Calls body(0), body(1), ..., body(count - 1), and starts the calls in this order. `jobs`: the number of calls that run at
+/// the same time (0: number of processors). The calls must be independent. If a call throws, no other call is started; the
+/// function waits for the running calls and rethrows the first exception.
 void parallel_for(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& body);
 
-/// Runs `task` in a new thread. Use it for preparations that their user repeats if they did not happen (loading a library): if
-/// no thread can be started, or the task throws, nothing happens. The returned thread's destructor waits for the task.
+/// Runs `task` in a new thread. If no thread can be started, the task does not run, and exceptions of the task are ignored. So
+/// use the function only for optional preparations (loading a library). The destructor of the returned thread waits for the
+/// task.
 [[nodiscard]] std::jthread in_background(const std::function<void()>& task);
 
 }  // namespace fca

@@ -14,10 +14,11 @@ Status status_of(const Diagnostics& diagnostics) {
                                [code](const Diagnostic& entry) { return same_id(code_of(entry), code); });
   };
   if (has(Code::kAnyCannotRead)) return Status::kUnreadable;
-  constexpr std::array kOfRequest = {Code::kNoInput,          Code::kNoTarget,           Code::kUnknownCamera,
-                                     Code::kUnitWithoutUse,   Code::kRectifyViewTooWide, Code::kCommonLensNeedsPair,
-                                     Code::kPairFitNeedsPair, Code::kPairFitWithOthers};
-  return std::ranges::any_of(kOfRequest, has) ? Status::kBadRequest : Status::kBadInput;
+  // Errors of the request itself, whatever the files contain.
+  constexpr std::array kRequestErrors = {Code::kNoInput,          Code::kNoTarget,           Code::kUnknownCamera,
+                                         Code::kUnitWithoutUse,   Code::kRectifyViewTooWide, Code::kCommonLensNeedsPair,
+                                         Code::kPairFitNeedsPair, Code::kPairFitWithOthers};
+  return std::ranges::any_of(kRequestErrors, has) ? Status::kBadRequest : Status::kBadInput;
 }
 
 }  // namespace fca

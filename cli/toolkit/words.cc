@@ -8,8 +8,8 @@
 namespace fca {
 
 std::string pixels(double value) {
-  constexpr double kBeyondAnyImage = 1e6;
-  if (value > kBeyondAnyImage) return "over a million";
+  constexpr double kLargerThanAnyImage = 1e6;
+  if (value > kLargerThanAnyImage) return "over a million";
   const std::array<Argument, 1> arguments = {value};
   return text::filled("{0:px}", arguments);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Texts that the toolkit puts into comments of files.
+// Texts for the comments that the toolkit writes into files.
 #pragma once
 
 #include <fca/rig/rig.h>
@@ -9,11 +9,12 @@
 
 namespace fca {
 
-/// An error in pixels with three significant digits, tiny ones as powers of ten: "0.113", "4e-14".
+/// A number of pixels with three significant digits; tiny numbers as powers of ten: "0.113", "4e-14". Above 1e6: "over a
+/// million".
 [[nodiscard]] std::string pixels(double value);
-/// "cam0", or "cam0 (input's cam1)" if the written file has another name for the camera than the input.
+/// The name of a camera in the written file, with its name in the input if that is different: "cam0" or "cam0 (input's cam1)".
 [[nodiscard]] std::string name_in_words(const ConvertedCamera& camera);
-/// A size in pixels as text: "640 x 480"
+/// A size in pixels: "640 x 480".
 [[nodiscard]] std::string size_in_words(const ImageSize& size);
 
 }  // namespace fca

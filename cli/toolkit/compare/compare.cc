@@ -16,7 +16,7 @@ namespace fca {
 
 namespace {
 
-/// The inputs of another file: those of the reference without its image changes and lens circles.
+/// The inputs for reading another file: those of the reference, without its change of images and its lens circles.
 Inputs inputs_of(const CompareRequest& request, const std::string& file) {
   Inputs inputs = request.reference;
   inputs.files = {file};
@@ -26,13 +26,13 @@ Inputs inputs_of(const CompareRequest& request, const std::string& file) {
   return inputs;
 }
 
-bool is_about_unit(const Diagnostic& entry) { return entry.facts.code == Code::kUnitWithoutUse; }
+bool says_unit_is_unused(const Diagnostic& entry) { return entry.facts.code == Code::kUnitWithoutUse; }
 
-/// Reads a file with the request's length unit or, if the file contains its own unit, without it.
+/// Reads a file with the length unit of `inputs`. If the file contains its own unit, reads it without the unit of `inputs`.
 std::optional<Calibration> read_in_unit(Inputs inputs, Files& files, Diagnostics& diagnostics) {
   Diagnostics found;
   std::optional<Calibration> calibration = read_models(inputs, files, found);
-  if (std::ranges::any_of(found.entries(), is_about_unit)) {
+  if (std::ranges::any_of(found.entries(), says_unit_is_unused)) {
     found = {};
     inputs.length_unit_m.reset();
     calibration = read_models(inputs, files, found);
@@ -41,15 +41,15 @@ std::optional<Calibration> read_in_unit(Inputs inputs, Files& files, Diagnostics
   return calibration;
 }
 
-/// True if the request gives a length unit although both files contain theirs.
+/// True if the request gives a length unit although both files contain their own.
 bool unit_is_without_use(const CompareRequest& request, const Calibration& reference, const Calibration& other) {
-  const auto states_unit = [](const Calibration& calibration) {
+  const auto has_unit = [](const Calibration& calibration) {
     return std::ranges::none_of(calibration.formats, [](const Format* format) { return format->any_length_unit; });
   };
-  return request.reference.length_unit_m && states_unit(reference) && states_unit(other);
+  return request.reference.length_unit_m && has_unit(reference) && has_unit(other);
 }
 
-/// True if the file has one camera. The request's choice then only applies to the reference.
+/// True if the file has one camera. The choice of cameras in the request then applies only to the reference.
 bool has_one_camera(Inputs inputs, Files& files) {
   Diagnostics discarded;
   inputs.cameras.reset();
@@ -57,6 +57,7 @@ bool has_one_camera(Inputs inputs, Files& files) {
   return calibration && calibration->rig.cameras.size() == 1;
 }
 
+/// Reads a file to compare with the reference. nullopt with errors.
 std::optional<Calibration> read_file(const CompareRequest& request, const std::string& file, Files& files,
                                      Diagnostics& diagnostics) {
   Inputs inputs = inputs_of(request, file);
@@ -65,8 +66,8 @@ std::optional<Calibration> read_file(const CompareRequest& request, const std::s
   return read_in_unit(inputs, files, diagnostics);
 }
 
-/// Names poses in messages by the keys that they have in the file.
-void name_poses_as_stated(const Calibration& calibration, std::vector<Mistake>& mistakes) {
+/// Replaces the names of poses in messages by the keys that these poses have in the file.
+void name_poses_by_keys(const Calibration& calibration, std::vector<Mistake>& mistakes) {
   for (Mistake& mistake : mistakes) {
     if (!mistake.pose) continue;
     const std::string key = key_of_pose(calibration, *mistake.pose);
@@ -74,54 +75,55 @@ void name_poses_as_stated(const Calibration& calibration, std::vector<Mistake>& 
   }
 }
 
-void exceed(ComparedFile& compared, Code code, std::vector<Argument> arguments = {}) {
+/// Adds an error and rejects the file.
+void reject(ComparedFile& compared, Code code, std::vector<Argument> arguments = {}) {
   compared.diagnostics.add(code, std::move(arguments));
   compared.status = worse(compared.status, Status::kRejected);
 }
 
-/// Adds errors for cameras that differ by more than the limit. A missing pixel exceeds every limit.
+/// Rejects the file if cameras differ by more than the limit, or if more than a small share of pixels has no counterpart.
 void evaluate_pixels(const CompareRequest& request, const ReferenceFile& reference, ComparedFile& compared) {
   const double limit_px = request.max_error_px.value_or(kSamePx);
   for (const CameraComparison& camera : compared.comparison->cameras) {
     if (camera.identical) continue;
     const ErrorStatistics& statistics = camera.decisive().statistics;
-    constexpr double kNoticeable = 1e-3;
-    const double missing = statistics.coverage.unrepresentable;
+    constexpr double kNoticeableShare = 1e-3;  // share of the image
+    const double missing_share = statistics.coverage.unrepresentable;
     if (!(statistics.coverage.scored > 0.0)) {
-      exceed(compared, Code::kNothingCompared, {camera.other});
+      reject(compared, Code::kNothingCompared, {camera.other});
       continue;
     }
     if (statistics.error.max > limit_px)
-      exceed(compared, Code::kDifferenceBeyondLimit, {camera.other, statistics.error.max, limit_px});
-    if (missing > kNoticeable) {
-      std::vector<Message> instead;
-      if (!request.reference.lens_circles.empty()) instead.push_back({Code::kInPlaceOfCircle});
-      exceed(compared, Code::kPixelsMissing, {camera.other, missing, instead});
+      reject(compared, Code::kDifferenceBeyondLimit, {camera.other, statistics.error.max, limit_px});
+    if (missing_share > kNoticeableShare) {
+      std::vector<Message> hint;
+      if (!request.reference.lens_circles.empty()) hint.push_back({Code::kInPlaceOfCircle});
+      reject(compared, Code::kPixelsMissing, {camera.other, missing_share, hint});
     }
   }
-  if (reference.calibration->rig.cameras.size() > compared.comparison->cameras.size()) exceed(compared, Code::kCamerasMissing);
+  if (reference.calibration->rig.cameras.size() > compared.comparison->cameras.size()) reject(compared, Code::kCamerasMissing);
   if (inverses_differ(compared) && *compared.inverse_px > limit_px)
-    exceed(compared, Code::kInversesBeyondLimit, {*compared.inverse_px, limit_px});
+    reject(compared, Code::kInversesBeyondLimit, {*compared.inverse_px, limit_px});
 }
 
-/// Adds errors for facts other than lenses that differ: poses, time offsets, IMU.
+/// Rejects the file if poses, time offsets or IMU values differ, or if it lacks facts of the reference.
 void check_other_facts(ComparedFile& compared) {
   const RigComparison& comparison = *compared.comparison;
   for (const PoseComparison& pose : comparison.poses) {
-    if (!pose.alike()) exceed(compared, Code::kPoseBeyondLimit, {facts_of(pose)});
+    if (!pose.alike()) reject(compared, Code::kPoseBeyondLimit, {facts_of(pose)});
   }
   for (const FactComparison& fact : comparison.facts) {
-    if (!fact.alike()) exceed(compared, Code::kFactBeyondLimit, {facts_of(fact)});
+    if (!fact.alike()) reject(compared, Code::kFactBeyondLimit, {facts_of(fact)});
   }
-  if (!comparison.only_in_reference.empty()) exceed(compared, Code::kReferenceSaysMore, {comparison.only_in_reference});
+  if (!comparison.only_in_reference.empty()) reject(compared, Code::kReferenceSaysMore, {comparison.only_in_reference});
 }
 
-/// The errors that the other file would cause in the images of the reference's stereo pair; nullopt if there is no such pair,
-/// or the other file lacks it.
+/// The errors in the images of the reference's stereo pair if they are rectified with the other calibration. nullopt if the
+/// reference has no stereo pair, or if the other calibration does not contain the same pair with the same image sizes.
 std::optional<PairError> pair_error_of(const Rig& reference, const Rig& other, const RigComparison& comparison) {
-  const auto places = stereo_pair(reference);
-  if (!places) return std::nullopt;
-  const std::array<const Camera*, 2> cameras = {&reference.cameras[places->first], &reference.cameras[places->second]};
+  const auto indices = stereo_pair(reference);
+  if (!indices) return std::nullopt;
+  const std::array<const Camera*, 2> cameras = {&reference.cameras[indices->first], &reference.cameras[indices->second]};
   std::array<const Camera*, 2> others{};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto match = std::ranges::find(comparison.cameras, cameras.at(i)->name, &CameraComparison::reference);
@@ -136,9 +138,10 @@ std::optional<PairError> pair_error_of(const Rig& reference, const Rig& other, c
   return pair_error({*cameras[0], others[0]->model}, {*cameras[1], others[1]->model}, *T, *T_other);
 }
 
+/// Rejects the file by the limits of the request.
 void apply_limits(const CompareRequest& request, const ReferenceFile& reference, ComparedFile& compared) {
   if (!request.max_error_px && !request.strict) return;
-  for (const Mistake& mistake : compared.comparison->mistakes) exceed(compared, Code::kMistakeFound, {mistake.message});
+  for (const Mistake& mistake : compared.comparison->mistakes) reject(compared, Code::kMistakeFound, {mistake.message});
   evaluate_pixels(request, reference, compared);
   if (request.strict) check_other_facts(compared);
 }
@@ -167,10 +170,10 @@ ComparedFile compare(const CompareRequest& request, const ReferenceFile& referen
                                     .focus_rad = request.focus_rad,
                                     .distance_m = request.distance_m};
     compared.comparison = compare(reference.calibration->rig, compared.calibration->rig, options, compared.diagnostics);
-    name_poses_as_stated(*compared.calibration, compared.comparison->mistakes);
+    name_poses_by_keys(*compared.calibration, compared.comparison->mistakes);
     compared.pair = pair_error_of(reference.calibration->rig, compared.calibration->rig, *compared.comparison);
     if (request.reference.change.changes_nothing())
-      compared.inverse_px = inverses_apart_px(*reference.calibration, *compared.calibration);
+      compared.inverse_px = inverse_distance_px(*reference.calibration, *compared.calibration);
   }
   compared.status = status_of(compared.diagnostics);
   if (compared.status == Status::kDone) apply_limits(request, reference, compared);
@@ -198,10 +201,10 @@ CompareResult compare(const CompareRequest& request, Files& files) {
 
 bool inverses_differ(const ComparedFile& compared) {
   if (!compared.inverse_px || !compared.comparison) return false;
-  double directions = 0.0;
+  double of_models_px = 0.0;
   for (const CameraComparison& camera : compared.comparison->cameras)
-    directions = std::max(directions, camera.identical ? 0.0 : camera.difference.statistics.error.max + kSamePx);
-  return *compared.inverse_px > directions;
+    of_models_px = std::max(of_models_px, camera.identical ? 0.0 : camera.difference.statistics.error.max + kSamePx);
+  return *compared.inverse_px > of_models_px;
 }
 
 }  // namespace fca

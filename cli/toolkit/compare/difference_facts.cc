@@ -11,6 +11,7 @@ namespace fca {
 
 namespace {
 
+/// Returns 0 for values that are so small that they can only come from rounding.
 double without_rounding(double value) { return std::abs(value) < 1e-9 ? 0.0 : value; }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Differences between files as messages.
+// Messages that describe differences between two files.
 #pragma once
 
 #include <fca/compare/report.h>
@@ -12,7 +12,7 @@ namespace fca {
 /// "imu0 gyroscope noise is 10 times the reference's"
 [[nodiscard]] Message facts_of(const FactComparison& fact);
 
-/// Converts to the unit of messages. Differences below 1e-9 (rad or m) are rounding and give 0.
+/// Converts a difference to the unit of the messages. A difference below 1e-9 (rad or m) is a rounding error and becomes 0.
 [[nodiscard]] double degrees_apart(double radians);
 [[nodiscard]] double millimetres_apart(double metres);
 

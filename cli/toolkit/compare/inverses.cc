@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the inverse polynomials of files that contain a lens as two polynomials. The comparison of cameras uses the direct
-// one, but programs that project use the inverse.
+// Compares the inverse polynomials of files that describe a lens by two polynomials. The comparison of cameras uses the direct
+// polynomial (pixel to ray), but programs that project use the inverse polynomial (ray to pixel).
 #include "compare/inverses.h"
 
 #include <fca/formats/consumers/consumer.h>
@@ -10,7 +10,8 @@
 
 namespace fca {
 
-std::optional<double> inverses_apart_px(const Calibration& reference, const Calibration& other) {
+std::optional<double> inverse_distance_px(const Calibration& reference, const Calibration& other) {
+  // The camera as a program that projects by the inverse polynomial loads it; empty if no program reads the format so.
   const auto view_of = [](const Calibration& calibration) {
     const auto programs = consumers::all_consumers();
     const auto program = std::ranges::find_if(programs, [&calibration](const consumers::Consumer& each) {
@@ -19,24 +20,24 @@ std::optional<double> inverses_apart_px(const Calibration& reference, const Cali
     if (program == programs.end() || calibration.rig.cameras.size() != 1) return consumers::ConsumerView();
     return program->load(calibration.documents[calibration.with_cameras].source().bytes, {});
   };
-  const consumers::ConsumerView here = view_of(reference);
-  const consumers::ConsumerView there = view_of(other);
-  if (here.cameras.empty() || there.cameras.empty()) return std::nullopt;
-  const consumers::ConsumerCamera& right = here.cameras.front();
-  const consumers::ConsumerCamera& left = there.cameras.front();
-  if (right.width != left.width || right.height != left.height) return std::nullopt;
-  const CameraModel& directions = reference.rig.cameras.front().model;
-  constexpr int kSteps = 100;
+  const consumers::ConsumerView reference_view = view_of(reference);
+  const consumers::ConsumerView other_view = view_of(other);
+  if (reference_view.cameras.empty() || other_view.cameras.empty()) return std::nullopt;
+  const consumers::ConsumerCamera& reference_camera = reference_view.cameras.front();
+  const consumers::ConsumerCamera& other_camera = other_view.cameras.front();
+  if (reference_camera.width != other_camera.width || reference_camera.height != other_camera.height) return std::nullopt;
+  const CameraModel& reference_model = reference.rig.cameras.front().model;
+  constexpr int kSteps = 100;  // of a lattice along each side of the image
   double worst = 0.0;
   for (int i = 0; i <= kSteps; ++i) {
     for (int j = 0; j <= kSteps; ++j) {
-      const std::optional<Ray> ray =
-          unproject(directions, {(right.width - 1.0) * i / kSteps, (right.height - 1.0) * j / kSteps});
+      const std::optional<Ray> ray = unproject(
+          reference_model, {(reference_camera.width - 1.0) * i / kSteps, (reference_camera.height - 1.0) * j / kSteps});
       if (!ray) continue;
-      const auto a = right.project(*ray);
-      const auto b = left.project(*ray);
+      const auto a = reference_camera.project(*ray);
+      const auto b = other_camera.project(*ray);
       if (a && b) worst = std::max(worst, std::hypot((*a)[0] - (*b)[0], (*a)[1] - (*b)[1]));
-      if (a.has_value() != b.has_value()) worst = std::hypot(right.width, right.height);
+      if (a.has_value() != b.has_value()) worst = std::hypot(reference_camera.width, reference_camera.height);
     }
   }
   return worst;

@@ -27,7 +27,7 @@ Message remedy_of_version(const ConvertRequest& request, const Start& start, con
   std::vector<Camera> sources;
   for (const ConvertedCamera& camera : result.cameras) sources.push_back(camera.source);
   const ModelChoice choice = {.request = request, .known = start.known.get()};
-  return best_of_every_version(sources, *result.to, choice).value_or(Message());
+  return best_model_readable_by_all_versions(sources, *result.to, choice).value_or(Message());
 }
 
 /// Adds a remedy to each diagnostic about a lens that its model does not cover: the models that would be better. lib/, which

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// "The program" is that of S. Lee, "Fisheye-Calib-Adapter", 2024; see painted_images.h.
 #include "painted_images.h"
 
 #include <fca/compare/image_similarity.h>
@@ -13,57 +14,60 @@ namespace fca {
 
 namespace {
 
-constexpr int kNothing = -1;
+constexpr int kNoSource = -1;  // the source index of a pixel that no disc covers
 
-/// For each pixel of the painted image, the index of the image's pixel whose colour it has; kNothing: it stays black.
-std::vector<int> painted(int width, int height, const Placement& place) {
-  // A filled circle of radius 1.
+/// Returns, for each pixel of the painted image, the index of the image pixel from which its colour comes. kNoSource: no disc
+/// covers the pixel, and it is black.
+std::vector<int> colour_sources(int width, int height, const Placement& place) {
+  // The offsets (right, down) of a filled disc of radius 1 px.
   constexpr std::array<std::array<int, 2>, 5> kDisc = {{{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
-  std::vector<int> origin(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kNothing);
+  std::vector<int> source_index(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kNoSource);
   const auto inside = [](double value, int end) { return value >= 0.0 && value < end; };
-  // Column by column, as the authors' program: where discs overlap, the last one is visible.
+  // The order is that of the program, column by column: where discs overlap, the last one is visible.
   for (int u = 0; u < width; ++u) {
     for (int v = 0; v < height; ++v) {
       const std::optional<Pixel> to = place({static_cast<double>(u), static_cast<double>(v)});
       if (!to || !inside(std::floor((*to)[0] + 0.5), width) || !inside(std::floor((*to)[1] + 0.5), height)) continue;
+      // The program tests the rounded position (above), but draws at the truncated one. It takes the colour from the new
+      // position, not from (u, v); so does this function.
       const int column = static_cast<int>((*to)[0]);
       const int row = static_cast<int>((*to)[1]);
       for (const auto& [right, down] : kDisc) {
         const int x = column + right;
         const int y = row + down;
-        if (inside(x, width) && inside(y, height)) origin[static_cast<std::size_t>(y * width + x)] = row * width + column;
+        if (inside(x, width) && inside(y, height)) source_index[static_cast<std::size_t>(y * width + x)] = row * width + column;
       }
     }
   }
-  return origin;
+  return source_index;
 }
 
-/// The painted image, with 8-bit samples.
-GreyImage repainted(const GreyImage& image, const std::vector<int>& origin) {
+/// Paints one colour plane, with 8-bit levels.
+GreyImage paint(const GreyImage& image, const std::vector<int>& source_index) {
   constexpr float kFullScale = 255.0F;
-  GreyImage result{image.width, image.height, kFullScale, std::vector<float>(origin.size(), 0.0F)};
-  for (std::size_t i = 0; i < origin.size(); ++i) {
-    if (origin[i] != kNothing)
-      result.samples[i] = std::floor(image.samples[static_cast<std::size_t>(origin[i])] * kFullScale / image.full_scale);
+  GreyImage result{image.width, image.height, kFullScale, std::vector<float>(source_index.size(), 0.0F)};
+  for (std::size_t i = 0; i < source_index.size(); ++i) {
+    if (source_index[i] != kNoSource)
+      result.samples[i] = std::floor(image.samples[static_cast<std::size_t>(source_index[i])] * kFullScale / image.full_scale);
   }
   return result;
 }
 
-/// True for each pixel whose grey level, rounded to 8 bits, is not 0.
-std::vector<bool> lit(const std::vector<GreyImage>& colours) {
-  constexpr std::array<double, 3> kShares = {0.114, 0.587, 0.299};  // weights of blue, green and red
+/// Returns true for each pixel whose grey level, rounded to a whole number, is not 0.
+std::vector<bool> not_black(const std::vector<GreyImage>& colours) {
+  constexpr std::array<double, 3> kGreyWeights = {0.114, 0.587, 0.299};  // of blue, green and red
   std::vector<bool> result;
   for (std::size_t i = 0; i < colours.front().samples.size(); ++i) {
     double grey = 0.0;
     for (std::size_t c = 0; c < colours.size(); ++c)
-      grey += (colours.size() == kShares.size() ? kShares.at(c) : 1.0) * static_cast<double>(colours[c].samples[i]);
+      grey += (colours.size() == kGreyWeights.size() ? kGreyWeights.at(c) : 1.0) * static_cast<double>(colours[c].samples[i]);
     result.push_back(std::lround(grey) != 0);
   }
   return result;
 }
 
-/// Blurs with a Gaussian of 11 pixels and standard deviation 1.5 px along rows and columns. Beyond the border the image is
-/// mirrored about its last pixel.
+/// Blurs an image with a Gaussian of 11 x 11 px and standard deviation 1.5 px. Beyond the border the image is mirrored about
+/// its last pixel.
 class Blur {
  public:
   Blur(int width, int height) : width_(width), height_(height) {
@@ -81,8 +85,10 @@ class Blur {
  private:
   static constexpr int kHalfWidth = 5;
 
+  /// The index of the mirrored pixel if `i` is beyond the border, otherwise `i`.
   static int mirrored(int i, int count) { return i < 0 ? -i : i >= count ? 2 * (count - 1) - i : i; }
 
+  /// Blurs in one direction: (1, 0) along rows or (0, 1) along columns.
   [[nodiscard]] std::vector<double> along(const std::vector<double>& image, int right, int down) const {
     std::vector<double> result(image.size());
     for (int y = 0; y < height_; ++y) {
@@ -109,10 +115,10 @@ std::vector<double> product(const std::vector<double>& a, const std::vector<doub
   return result;
 }
 
-/// The mean SSIM over all pixels, including black ones.
+/// The mean SSIM of two 8-bit planes over all their pixels. A pixel that is black in one plane is set to black in both.
 double mean_ssim(const GreyImage& one, const GreyImage& other) {
-  constexpr double kC1 = 6.5025;
-  constexpr double kC2 = 58.5225;
+  constexpr double kC1 = 6.5025;   // (0.01 * 255)^2
+  constexpr double kC2 = 58.5225;  // (0.03 * 255)^2
   std::vector<double> a(one.samples.size(), 0.0);
   std::vector<double> b = a;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -136,41 +142,43 @@ double mean_ssim(const GreyImage& one, const GreyImage& other) {
   return sum / static_cast<double>(a.size());
 }
 
-/// The PSNR [dB] of the first colour, over the pixels that are not black in both images; 0 if nothing differs.
+/// The PSNR [dB] of the first colour plane over the pixels that are black in neither image. 0 if the planes are equal, as in
+/// the program.
 double psnr(const std::vector<GreyImage>& one, const std::vector<GreyImage>& other) {
-  const std::vector<bool> lit_in_one = lit(one);
-  const std::vector<bool> lit_in_other = lit(other);
+  const std::vector<bool> not_black_in_one = not_black(one);
+  const std::vector<bool> not_black_in_other = not_black(other);
   double squares = 0.0;
   double count = 0.0;
-  for (std::size_t i = 0; i < lit_in_one.size(); ++i) {
-    if (!lit_in_one[i] || !lit_in_other[i]) continue;
+  for (std::size_t i = 0; i < not_black_in_one.size(); ++i) {
+    if (!not_black_in_one[i] || !not_black_in_other[i]) continue;
     const double difference = static_cast<double>(one.front().samples[i]) - static_cast<double>(other.front().samples[i]);
     squares += difference * difference;
     count += 1.0;
   }
-  constexpr double kSame = 1e-10;
-  return squares <= kSame ? 0.0 : psnr_db(squares / count, static_cast<double>(one.front().full_scale));
+  constexpr double kNegligibleSum = 1e-10;  // a sum of squared differences that the program takes for 0
+  return squares <= kNegligibleSum ? 0.0 : psnr_db(squares / count, static_cast<double>(one.front().full_scale));
 }
 
-std::vector<GreyImage> all_repainted(const std::vector<GreyImage>& colours, const Placement& place) {
-  const std::vector<int> origin = painted(colours.front().width, colours.front().height, place);
+/// Paints all colour planes of an image.
+std::vector<GreyImage> paint_all(const std::vector<GreyImage>& colours, const Placement& place) {
+  const std::vector<int> source_index = colour_sources(colours.front().width, colours.front().height, place);
   std::vector<GreyImage> result;
   result.reserve(colours.size());
-  for (const GreyImage& colour : colours) result.push_back(repainted(colour, origin));
+  for (const GreyImage& colour : colours) result.push_back(paint(colour, source_index));
   return result;
 }
 
 }  // namespace
 
 PaintedImage painted_image(const std::vector<GreyImage>& colours, const Placement& place) {
-  const std::vector<GreyImage> original = all_repainted(colours, [](const Pixel& pixel) { return pixel; });
-  const std::vector<GreyImage> converted = all_repainted(colours, place);
-  return {psnr(original, converted), mean_ssim(original.front(), converted.front())};
+  const std::vector<GreyImage> painted_in_place = paint_all(colours, [](const Pixel& pixel) { return pixel; });
+  const std::vector<GreyImage> painted_at_place = paint_all(colours, place);
+  return {psnr(painted_in_place, painted_at_place), mean_ssim(painted_in_place.front(), painted_at_place.front())};
 }
 
 PaintedImage painted_with_noise(const std::vector<GreyImage>& colours) {
   constexpr double kNoise = 1e-9;  // px
-  std::minstd_rand random(1);      // the same numbers everywhere
+  std::minstd_rand random(1);      // a fixed seed: every run gives the same numbers
   const auto noise = [&random] { return kNoise * (2.0 * static_cast<double>(random()) / std::minstd_rand::max() - 1.0); };
   return painted_image(colours, [&noise](const Pixel& pixel) {
     const double right = noise();

@@ -17,8 +17,8 @@ constexpr Model kDs{"DS", Ds::kId};
 constexpr Model kRt{"RT", Radtan::kId};
 constexpr Model kOcc{"OCC", Ocamcalib::kId};
 
-/// OCamCalib's parameters as the paper defines them (sec. II-E): (u, v) = [c d; e 1] (m_x, m_y) + (cx, cy), m_z = a0 + ... + a4
-/// r^4, positive in front of the camera.
+/// OCamCalib's parameters as the paper defines them (sec. II-E): (u, v) = [c d; e 1] (m_x, m_y) + (cx, cy), and
+/// m_z = a0 + a1 r + ... + a4 r^4, which is positive in front of the camera.
 struct OccParameters {
   static constexpr std::size_t kTerms = 5;
   double c = 1.0;
@@ -29,8 +29,9 @@ struct OccParameters {
   std::array<double, kTerms> a{};
 };
 
-// The toolbox's form acts on (row, column) in place of (u, v). So its c is the inverse of the paper's c, and its radius is the
-// paper's radius times the paper's c. Signs change by 0 - x and not by -x, so that no coefficient is -0.
+/// Converts the paper's parameters to those of the OCamCalib toolbox, which acts on (row, column) in place of (u, v). The
+/// toolbox's c is the inverse of the paper's c, and its radius is the paper's radius times the paper's c. The code changes
+/// signs by 0 - x and not by -x, so that no coefficient is -0.
 Intrinsics<Ocamcalib> toolbox_form(const OccParameters& occ) {
   CameraModel model = Intrinsics<Ocamcalib>{};
   set_parameter(model, "cx", occ.cx);
@@ -43,6 +44,7 @@ Intrinsics<Ocamcalib> toolbox_form(const OccParameters& occ) {
   return std::get<Intrinsics<Ocamcalib>>(model);
 }
 
+/// Converts the toolbox's parameters to the paper's: the inverse of toolbox_form().
 OccParameters paper_form(const CameraModel& model) {
   const auto value = [&model](ParameterId id) { return parameter(model, id).value(); };
   OccParameters occ;
@@ -70,7 +72,7 @@ constexpr std::string_view kAlgebraic =
     "the authors' residual is algebraic, the distance times the projection's denominator, and their fit ends above even its "
     "optimum, which has RE 0.71 for EUCM and 0.83 for DS; PE is large for everybody, as DS trades xi for focal length";
 
-/// Table 1. Calibrations of one camera by Kalibr, from Kalibr's sample data.
+/// Table 1: conversions between calibrations that Kalibr computed of one camera from Kalibr's sample data.
 ConversionTable kalibr_table() {
   ConversionTable table;
   table.number = 1;
@@ -103,7 +105,7 @@ ConversionTable kalibr_table() {
   return table;
 }
 
-/// Table 2. The camera of OCamCalib's sample data; the sources are conversions of it.
+/// Table 2: conversions to OCamCalib's model. Their sources are conversions of the camera of OCamCalib's sample data.
 ConversionTable ocamcalib_table() {
   ConversionTable table;
   table.number = 2;
@@ -112,16 +114,16 @@ ConversionTable ocamcalib_table() {
   table.max_angle_deg = 95.0;
   table.calibrations = {toolbox_form(
       {0.998870, -0.000169, 0.000110, 359.829671, 243.611488, {209.3037, 0.0, -2.216175e-03, 5.122558e-06, -2.149945e-08}})};
-  constexpr std::string_view kAhead =
+  constexpr std::string_view kInFrontOnly =
       "the authors' program drops what lies 90 deg or more from the axis, holds c = 1 and d = e = 0, frees a1, and minimises "
       "an "
       "algebraic residual";
   constexpr std::string_view kFewest =
       "the EUCM mistake keeps 66 of 504 samples; the small RE and PE are theirs, not the image's";
-  table.rows = {{kKb, kOcc, 4, 0.1777, 2.181, 38.3962, 0.8227, std::nullopt, kAhead},
-                {kUcm, kOcc, 5, 0.9480, 13.7598, 31.9255, 0.8035, std::nullopt, kAhead},
+  table.rows = {{kKb, kOcc, 4, 0.1777, 2.181, 38.3962, 0.8227, std::nullopt, kInFrontOnly},
+                {kUcm, kOcc, 5, 0.9480, 13.7598, 31.9255, 0.8035, std::nullopt, kInFrontOnly},
                 {kEucm, kOcc, 3, 0.0468, 0.3695, 33.0033, 0.9244, std::nullopt, kFewest},
-                {kDs, kOcc, 4, 0.1546, 2.7296, 34.7245, 0.8246, std::nullopt, kAhead}};
+                {kDs, kOcc, 4, 0.1546, 2.7296, 34.7245, 0.8246, std::nullopt, kInFrontOnly}};
   table.remark =
       "The authors' program does not reproduce this table, so that nothing can be measured over the image next to it. A "
       "source "
@@ -173,8 +175,9 @@ double parameter_distance(const CameraModel& a, const CameraModel& b) {
 }
 
 Polynomial polynomial_of(const Intrinsics<Ocamcalib>& model) {
-  const auto ahead = [&model](ParameterId id) { return 0.0 - parameter(model, id).value(); };
-  return {ahead("a0"), ahead("a1"), ahead("a2")};
+  // The toolbox's coefficients are negative in front of the camera.
+  const auto positive_in_front = [&model](ParameterId id) { return 0.0 - parameter(model, id).value(); };
+  return {positive_in_front("a0"), positive_in_front("a1"), positive_in_front("a2")};
 }
 
 Intrinsics<Ocamcalib> camera_of(const Polynomial& polynomial, const Pixel& centre) {
@@ -186,11 +189,12 @@ Intrinsics<Ocamcalib> camera_of(const Polynomial& polynomial, const Pixel& centr
 }
 
 PolynomialTable polynomial_table() {
-  // gamma_x, gamma_y, cx, cy, xi as printed; the paper rounds f = gamma / (1 + xi) and alpha = xi / (1 + xi) to 4 decimals.
+  // The source has the printed gamma_x, gamma_y, cx, cy and xi. The paper also prints f = gamma / (1 + xi) and
+  // alpha = xi / (1 + xi), but rounded to 4 decimals.
   constexpr double kXi = 0.975;
   PolynomialTable table;
   table.title = "libPeR's UCM of an OCamCalib sample camera";
-  // The paper prints no size: it is that of the toolbox's sample images, around this centre.
+  // The paper prints no image size. This is the size of the toolbox's sample images, whose middle is near the centre below.
   table.size = {1024, 768};
   table.source = {{259.889 / (1.0 + kXi), 259.335 / (1.0 + kXi), 514.168, 382.797, kXi / (1.0 + kXi)}};
   table.toolbox = {131.0074, 0.0, -0.0018};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// "The paper" is S. Lee, "Fisheye-Calib-Adapter", 2024; its tables are in fca/toolkit/paper_tables.h.
 #include "recovered_images.h"
 
 #include "degrees.h"
@@ -21,30 +22,33 @@ namespace fca {
 
 namespace {
 
-/// The position in the source's image of what a pixel of the target's image shows; nullopt if a model has no ray or pixel, or
-/// the ray is beyond the limit.
-std::optional<Pixel> looked_up(const EvaluatedRow& row, std::optional<double> limit_rad, const Pixel& pixel) {
+/// Maps a pixel of the target image to the position [px] in the source image that has the same ray. nullopt if one of the
+/// models has no such ray or pixel, or if the ray is more than `limit_rad` from the axis.
+std::optional<Pixel> source_pixel_of(const EvaluatedRow& row, std::optional<double> limit_rad, const Pixel& pixel) {
   const std::optional<Ray> ray = unproject(row.conversion.camera.model, pixel);
   if (!ray || (limit_rad && angle_from_axis(*ray) > *limit_rad)) return std::nullopt;
   return project(row.source, *ray);
 }
 
-/// An image's colours as the target camera would have taken them. `mask`: 255 where they are known, otherwise 0.
-struct Recovered {
-  std::vector<GreyImage> colours;
+/// The image that the target camera would have taken.
+struct Resampled {
+  std::vector<GreyImage> colours;  ///< One plane per colour of the original.
+  /// For each pixel: 255 if the source image contains all pixels from which the pixel is interpolated, otherwise 0.
   std::vector<std::uint8_t> mask;
 };
 
-Recovered recovered(const std::vector<GreyImage>& original, const EvaluatedTable& table, const EvaluatedRow& row) {
+/// Resamples the source image to the pixels of the target camera. Pixels whose mask is 0 keep the original's level.
+Resampled resample(const std::vector<GreyImage>& original, const EvaluatedTable& table, const EvaluatedRow& row) {
   const ImageSize& size = table.published.size;
   std::optional<double> limit_rad;
   if (table.published.max_angle_deg) limit_rad = *table.published.max_angle_deg / kDegreesPerRadian;
-  Recovered result{original, {}};
+  Resampled result{original, {}};
   result.mask.reserve(original.front().samples.size());
   for (int v = 0; v < size.height; ++v) {
     for (int u = 0; u < size.width; ++u) {
-      const std::optional<Pixel> place = looked_up(row, limit_rad, {static_cast<double>(u), static_cast<double>(v)});
-      const std::optional<LanczosWindow> window = place ? LanczosWindow::about(*place, size) : std::nullopt;
+      const std::optional<Pixel> source_pixel =
+          source_pixel_of(row, limit_rad, {static_cast<double>(u), static_cast<double>(v)});
+      const std::optional<LanczosWindow> window = source_pixel ? LanczosWindow::about(*source_pixel, size) : std::nullopt;
       const std::size_t pixel = result.mask.size();
       result.mask.push_back(window ? 255 : 0);
       if (!window) continue;
@@ -55,30 +59,32 @@ Recovered recovered(const std::vector<GreyImage>& original, const EvaluatedTable
   return result;
 }
 
-/// The mean PSNR and SSIM over the colours.
-RecoveredImage compared(const std::vector<GreyImage>& before, const Recovered& after) {
-  const auto colours = static_cast<double>(before.size());
+/// Compares the pixels whose mask is 255: the PSNR of the squared error averaged over the colours, and the mean SSIM of the
+/// colours.
+RecoveredImage compare_images(const std::vector<GreyImage>& original, const Resampled& resampled) {
+  const auto colours = static_cast<double>(original.size());
   RecoveredImage result;
   double mean_square = 0.0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const ImageSimilarity colour = similarity(before[i], after.colours[i], after.mask);
+  for (std::size_t i = 0; i < original.size(); ++i) {
+    const ImageSimilarity colour = similarity(original[i], resampled.colours[i], resampled.mask);
     mean_square += colour.mean_square / colours;
     result.ssim += colour.ssim / colours;
-    result.compared = colour.compared;
+    result.compared = colour.compared;  // the same for all colours, since they have one mask
   }
-  result.psnr_db = psnr_db(mean_square, before.front().full_scale);
+  result.psnr_db = psnr_db(mean_square, original.front().full_scale);
   return result;
 }
 
-/// An 8-bit image whose levels are `level_at(colour, pixel)`.
+/// Returns an 8-bit image with the size and the colours of `same_size_as`. Its levels are level_at(colour, pixel), scaled from
+/// the planes' full scale to 255.
 template <class Levels>
-Image picture_of(const std::vector<GreyImage>& like, const Levels& level_at) {
+Image picture_of(const std::vector<GreyImage>& same_size_as, const Levels& level_at) {
   constexpr double kWhite = 255.0;
-  const GreyImage& first = like.front();
-  Image image{first.width, first.height, static_cast<int>(like.size()), Image::Sample::k8Bit, {}};
-  image.bytes.reserve(like.size() * first.samples.size());
+  const GreyImage& first = same_size_as.front();
+  Image image{first.width, first.height, static_cast<int>(same_size_as.size()), Image::Sample::k8Bit, {}};
+  image.bytes.reserve(same_size_as.size() * first.samples.size());
   for (std::size_t pixel = 0; pixel < first.samples.size(); ++pixel) {
-    for (std::size_t colour = 0; colour < like.size(); ++colour) {
+    for (std::size_t colour = 0; colour < same_size_as.size(); ++colour) {
       const double level = kWhite * level_at(colour, pixel) / static_cast<double>(first.full_scale);
       image.bytes.push_back(static_cast<std::uint8_t>(std::lround(std::clamp(level, 0.0, kWhite))));
     }
@@ -86,19 +92,21 @@ Image picture_of(const std::vector<GreyImage>& like, const Levels& level_at) {
   return image;
 }
 
-RecoveredPictures pictures_of(const std::vector<GreyImage>& before, const Recovered& after) {
-  constexpr double kAmplified = 16.0;
-  const auto known = [&after](std::size_t pixel) { return after.mask[pixel] != 0; };
+/// The resampled image, and the amplified difference of its levels from the original's. Pixels whose mask is 0 are black.
+RecoveredPictures pictures_of(const std::vector<GreyImage>& original, const Resampled& resampled) {
+  constexpr double kDifferenceGain = 16.0;
+  const auto known = [&resampled](std::size_t pixel) { return resampled.mask[pixel] != 0; };
   const auto level = [](const GreyImage& image, std::size_t pixel) { return static_cast<double>(image.samples[pixel]); };
-  return {picture_of(before, [&](std::size_t colour,
-                                 std::size_t pixel) { return known(pixel) ? level(after.colours[colour], pixel) : 0.0; }),
-          picture_of(before, [&](std::size_t colour, std::size_t pixel) {
-            return known(pixel) ? kAmplified * std::abs(level(after.colours[colour], pixel) - level(before[colour], pixel))
-                                : 0.0;
+  return {picture_of(original, [&](std::size_t colour,
+                                   std::size_t pixel) { return known(pixel) ? level(resampled.colours[colour], pixel) : 0.0; }),
+          picture_of(original, [&](std::size_t colour, std::size_t pixel) {
+            return known(pixel)
+                       ? kDifferenceGain * std::abs(level(resampled.colours[colour], pixel) - level(original[colour], pixel))
+                       : 0.0;
           })};
 }
 
-/// Maps a pixel of the source to the target's pixel of the same ray.
+/// Returns a function that maps a pixel of the source image to the pixel of the target image that has the same ray.
 Placement placement_of(const EvaluatedRow& row) {
   return [&row](const Pixel& pixel) -> std::optional<Pixel> {
     const std::optional<Ray> ray = unproject(row.source, pixel);
@@ -106,13 +114,14 @@ Placement placement_of(const EvaluatedRow& row) {
   };
 }
 
+/// Adds the image statistics to every row of a table, and pictures to the rows that the paper's Figure 3 shows.
 void add_to_table(const std::vector<GreyImage>& colours, bool with_pictures, EvaluatedTable& table) {
   constexpr std::string_view kSourceOfFigure3 = "KB";
   for (EvaluatedRow& row : table.rows) {
-    const Recovered after = recovered(colours, table, row);
-    row.recovered = compared(colours, after);
+    const Resampled resampled = resample(colours, table, row);
+    row.recovered = compare_images(colours, resampled);
     row.painted = painted_image(colours, placement_of(row));
-    if (with_pictures && row.published.from.name == kSourceOfFigure3) row.pictures = pictures_of(colours, after);
+    if (with_pictures && row.published.from.name == kSourceOfFigure3) row.pictures = pictures_of(colours, resampled);
   }
   table.painted_noise = painted_with_noise(colours);
 }
@@ -126,8 +135,8 @@ bool add_recovered_images(const EvaluateRequest& request, Files& files, Evaluate
   if (!image) return false;
   const ImageSize size = {image->width, image->height};
   const std::vector<GreyImage> colours = planes(*image);
-  std::vector<std::string> sizes;
-  bool fits = false;
+  std::vector<std::string> sizes;  // of the tables' images, for the error
+  bool fits = false;               // the image has the size of a table
   for (EvaluatedTable& table : evaluation.conversions) {
     const std::string needed = size_in_words(table.published.size);
     if (std::ranges::find(sizes, needed) == sizes.end()) sizes.push_back(needed);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `fca-io evaluate --image`: the image as each converted camera would have taken it, compared with the image itself (PSNR,
-// SSIM).
+// `fca-io evaluate --image`: computes the image that each converted camera would have taken, and compares it with the image
+// itself (PSNR, SSIM).
 #pragma once
 
 #include <fca/toolkit/evaluate.h>
 
 namespace fca {
 
-/// Fills the image statistics of the rows in those tables of `evaluation` whose published images have the size of the request's
-/// image. False, with an error, if the image cannot be read or no table has that size.
+/// Adds image statistics to the rows of each table in `evaluation` whose published image size is the size of the request's
+/// image. False, with an error, if the image cannot be read or no table has its size.
 [[nodiscard]] bool add_recovered_images(const EvaluateRequest& request, Files& files, EvaluateResult& evaluation);
 
 }  // namespace fca

@@ -9,11 +9,14 @@ namespace fca {
 
 namespace {
 
-constexpr std::array kCounts = {10, 30, 100, 300, 1000, 3000, 10'000};
+/// The requested numbers of samples.
+constexpr std::array kSampleCounts = {10, 30, 100, 300, 1000, 3000, 10'000};
 
-/// The fastest of several runs counts: the first one warms the caches, and other processes disturb some.
+/// Each conversion is run several times, and the shortest time is reported: the first run fills the caches, and other processes
+/// may slow some runs down.
 constexpr std::size_t kRuns = 3;
 
+/// Converts the source with that many samples. nullopt if the conversion fails.
 std::optional<SweepPoint> point_of(const Camera& source, const EvaluatedRow& row, const CameraModel& truth, int samples) {
   ConvertOptions options;
   options.model = row.published.to.id;
@@ -22,8 +25,8 @@ std::optional<SweepPoint> point_of(const Camera& source, const EvaluatedRow& row
   std::array<double, kRuns> times{};
   std::optional<Conversion> conversion;
   for (double& time : times) {
-    Diagnostics told_in_the_table;
-    conversion = convert(source, options, told_in_the_table);
+    Diagnostics discarded;  // those of the table's conversion suffice
+    conversion = convert(source, options, discarded);
     if (!conversion) return std::nullopt;
     time = conversion->report.fit.time_us;
   }
@@ -42,7 +45,7 @@ std::vector<SampleSweep> sample_sweeps(const EvaluatedTable& table) {
     source.image_size = table.published.size;
     source.model = row.source;
     SampleSweep sweep{row.published.from, row.published.to, {}};
-    for (const int samples : kCounts) {
+    for (const int samples : kSampleCounts) {
       if (const std::optional<SweepPoint> point = point_of(source, row, *truth, samples)) sweep.points.push_back(*point);
     }
     sweeps.push_back(std::move(sweep));

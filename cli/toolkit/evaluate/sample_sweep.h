@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The paper's Figure 2: how the number of samples affects a conversion and its duration.
+// How the number of samples affects the error and the duration of a conversion: Figure 2 of S. Lee, "Fisheye-Calib-Adapter",
+// 2024.
 #pragma once
 
 #include <fca/toolkit/evaluate.h>
 
 namespace fca {
 
-/// One sweep for each row of a table that contains a calibration in the target's model.
+/// Returns one sweep for each row of the table, except rows whose target model has no published calibration in the table.
 [[nodiscard]] std::vector<SampleSweep> sample_sweeps(const EvaluatedTable& table);
 
 }  // namespace fca

@@ -15,7 +15,7 @@ namespace fca {
 
 namespace {
 
-/// The formats that have the model, each with the reason if it cannot store these parameters.
+/// The formats that store the model. Each has a reason if the parameters are outside the ranges that the format can store.
 std::vector<StoringFormat> stored_by(const CameraModel& model) {
   std::vector<StoringFormat> formats;
   for (const Format& format : written_formats()) {
@@ -27,12 +27,12 @@ std::vector<StoringFormat> stored_by(const CameraModel& model) {
   return formats;
 }
 
-/// True if the fit covers the whole lens, with errors in the decisive region so small that nobody notices them.
+/// True if the fit covers the whole lens and its errors in the decisive region are unnoticeable (the verdict would be "ready").
 bool is_good_as_whole(const Candidate& candidate) {
   return !candidate.conversion->report.angle_reduced && word_of(candidate.distance.decisive()) == VerdictWord::kReady;
 }
 
-/// True if `a` is the better choice. Exact conversions come first, and among these the camera's own model.
+/// True if `a` is a better choice than `b`. Exact conversions come first, and among these the camera's own model.
 bool is_better_choice(const Candidate& a, const Candidate& b) {
   const ConversionReport& of_a = a.conversion->report;
   const ConversionReport& of_b = b.conversion->report;
@@ -45,14 +45,15 @@ bool is_better_choice(const Candidate& a, const Candidate& b) {
   return a.decisive().rms < b.decisive().rms;
 }
 
-/// The distance of `model` from the camera, as if it were the camera that a program reads from a file.
+/// The distance of `model` from the camera, measured as if a program had read `model` from a file.
 CameraDistance distance_to(const Camera& camera, const CameraModel& model, std::optional<double> max_angle_rad) {
   consumers::ConsumerCamera reader;
   reader.project = [&model](const Ray& ray) { return project(model, ray); };
   return distance_of(camera, model, reader, {.asked = max_angle_rad.value_or(std::numbers::pi)});
 }
 
-/// The candidate's model fitted again, only to the inscribed circle of the image; nullopt if that gains nothing.
+/// Fits the candidate's model again, but only to the inscribed circle of the image. nullopt if the lens is not wide or if the
+/// new fit is not worth it.
 std::optional<CircleFit> fitted_in_circle(const Camera& camera, const Candidate& candidate) {
   const std::optional<double> degrees = degrees_in_circle(camera);
   if (!degrees || !candidate.distance.is_wide || is_good_as_whole(candidate)) return std::nullopt;
@@ -60,8 +61,8 @@ std::optional<CircleFit> fitted_in_circle(const Camera& camera, const Candidate&
   options.model = candidate.model->id;
   options.max_angle_rad = *degrees * std::numbers::pi / 180.0;
   options.bound = false;
-  Diagnostics told_of_the_whole;
-  const std::optional<Conversion> conversion = convert(camera, options, told_of_the_whole);
+  Diagnostics discarded;  // those of the fit to the whole lens suffice
+  const std::optional<Conversion> conversion = convert(camera, options, discarded);
   if (!conversion || conversion->report.angle_reduced) return std::nullopt;
   const PixelDistance distance = distance_to(camera, conversion->camera.model, std::nullopt).in_circle;
   const PixelDistance& whole = candidate.distance.in_circle;
@@ -70,6 +71,7 @@ std::optional<CircleFit> fitted_in_circle(const Camera& camera, const Candidate&
   return is_worth_it ? std::optional(CircleFit{*degrees, distance}) : std::nullopt;
 }
 
+/// The best of the candidates that have a conversion and for which admits(candidate) is true. Null if there is none.
 template <class Admits>
 const Candidate* best(const std::vector<Candidate>& candidates, Admits&& admits) {
   const Candidate* result = nullptr;
@@ -83,9 +85,9 @@ const Candidate* best(const std::vector<Candidate>& candidates, Admits&& admits)
 }  // namespace
 
 bool reaches_all(const Candidate& candidate) {
-  constexpr double kNoticeable = 0.01;
+  constexpr double kNoticeableShare = 0.01;  // share of the region
   const bool ends_early = !candidate.in_circle && candidate.conversion->report.angle_reduced;
-  return !ends_early && candidate.decisive().no_rays <= kNoticeable;
+  return !ends_early && candidate.decisive().no_rays <= kNoticeableShare;
 }
 
 std::vector<const Candidate*> ranked(const std::vector<Candidate>& candidates) {
@@ -93,9 +95,10 @@ std::vector<const Candidate*> ranked(const std::vector<Candidate>& candidates) {
   for (const Candidate& candidate : candidates) {
     if (candidate.conversion) result.push_back(&candidate);
   }
-  const auto is_compared = [](const Candidate& each) { return !each.conversion->report.exact && reaches_all(each); };
+  // Inexact models that cover the whole region are ranked by their errors alone.
+  const auto is_ranked_by_error = [](const Candidate& each) { return !each.conversion->report.exact && reaches_all(each); };
   const auto comes_first = [&](const Candidate* a, const Candidate* b) {
-    return is_compared(*a) && is_compared(*b) ? a->decisive().rms < b->decisive().rms : is_better_choice(*a, *b);
+    return is_ranked_by_error(*a) && is_ranked_by_error(*b) ? a->decisive().rms < b->decisive().rms : is_better_choice(*a, *b);
   };
   std::ranges::stable_sort(result, comes_first);
   return result;

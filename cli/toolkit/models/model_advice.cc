@@ -13,7 +13,8 @@ namespace fca {
 
 namespace {
 
-constexpr double kSameCoverage = 1e-3;  // of the image
+/// Coverages that differ by up to this share of the image are taken for the same.
+constexpr double kSameCoverage = 1e-3;
 
 }  // namespace
 
@@ -25,23 +26,28 @@ bool is_better(const ConversionReport& a, const ConversionReport& b) {
 
 namespace {
 
+/// True if `a` covers much more of the image than `b`. If the coverages are similar: true if the error of `b` is visible and
+/// that of `a` is much smaller.
 bool is_much_better(const ConversionReport& a, const ConversionReport& b) {
-  constexpr double kMuchMore = 0.02;  // of the image
-  constexpr double kMuchLess = 0.25;
-  constexpr double kSeen = 0.1;  // px
-  const double more = b.statistics.coverage.unrepresentable - a.statistics.coverage.unrepresentable;
-  if (std::abs(more) > kMuchMore) return more > 0.0;
-  return b.statistics.error.rms > kSeen && a.statistics.error.rms < kMuchLess * b.statistics.error.rms;
+  constexpr double kMuchMoreCoverage = 0.02;  // share of the image
+  constexpr double kMuchSmallerRatio = 0.25;
+  constexpr double kVisibleError = 0.1;  // px rms
+  const double extra_coverage = b.statistics.coverage.unrepresentable - a.statistics.coverage.unrepresentable;
+  if (std::abs(extra_coverage) > kMuchMoreCoverage) return extra_coverage > 0.0;
+  return b.statistics.error.rms > kVisibleError && a.statistics.error.rms < kMuchSmallerRatio * b.statistics.error.rms;
 }
 
+/// Names the model of a conversion with its error: "kb4 (exact)" or "rational (up to 88 deg, rms 0.218 px)".
 Message in_words(const ConversionReport& report) {
   if (report.exact) return {Code::kModelExact, {report.to_model}};
   const bool covers = report.statistics.coverage.unrepresentable <= kSameCoverage;
   return {covers ? Code::kModelRms : Code::kModelRmsUpTo, {report.to_model, report.statistics.error.rms, report.scored_to_deg}};
 }
 
-std::optional<ConversionReport> report_as(const StoredModel& stored, const Camera& camera, const ModelChoice& choice,
-                                          Objective objective) {
+/// Converts the camera to the model `stored` and returns the report without the proven bound of the error, which takes long and
+/// is not used here. nullopt if the conversion fails.
+std::optional<ConversionReport> report_of_conversion_to(const StoredModel& stored, const Camera& camera,
+                                                        const ModelChoice& choice, Objective objective) {
   ConvertOptions options = options_for(stored, choice);
   options.objective = objective;
   options.every_pixel = false;
@@ -52,24 +58,25 @@ std::optional<ConversionReport> report_as(const StoredModel& stored, const Camer
 }
 
 /// The conversions of the camera to `models` that are better than `than`, the best first.
-std::vector<ConversionReport> better_ones(const Camera& camera, const ConversionReport& than, const ModelChoice& choice,
-                                          const std::vector<StoredModel>& models) {
-  constexpr double kOfUse = 2.0;  // px; with a larger error a file is not to be used
+std::vector<ConversionReport> better_conversions(const Camera& camera, const ConversionReport& than, const ModelChoice& choice,
+                                                 const std::vector<StoredModel>& models) {
+  constexpr double kUsableError = 2.0;  // px rms; a file with a larger error is of no use
   std::vector<ConversionReport> result;
   for (const StoredModel& stored : models) {
-    std::optional<ConversionReport> report = report_as(stored, camera, choice, Objective::kRms);
-    if (report && is_better(*report, than) && report->statistics.error.rms <= kOfUse) result.push_back(*std::move(report));
+    std::optional<ConversionReport> report = report_of_conversion_to(stored, camera, choice, Objective::kRms);
+    if (report && is_better(*report, than) && report->statistics.error.rms <= kUsableError)
+      result.push_back(*std::move(report));
   }
   std::ranges::stable_sort(result, is_better);
   return result;
 }
 
-/// The report of the camera that the model fits worst; nullopt if the fit of one camera fails.
+/// The report of the camera that the model fits worst. nullopt if the conversion of one of the cameras fails.
 std::optional<ConversionReport> worst_report(const StoredModel& stored, std::span<const Camera> cameras,
                                              const ModelChoice& choice) {
   std::optional<ConversionReport> worst;
   for (const Camera& camera : cameras) {
-    std::optional<ConversionReport> report = report_as(stored, camera, choice, choice.request.objective);
+    std::optional<ConversionReport> report = report_of_conversion_to(stored, camera, choice, choice.request.objective);
     if (!report) return std::nullopt;
     if (!worst || is_better(*worst, *report)) worst = std::move(report);
   }
@@ -78,7 +85,8 @@ std::optional<ConversionReport> worst_report(const StoredModel& stored, std::spa
 
 }  // namespace
 
-std::optional<Message> best_of_every_version(std::span<const Camera> cameras, const Format& format, const ModelChoice& choice) {
+std::optional<Message> best_model_readable_by_all_versions(std::span<const Camera> cameras, const Format& format,
+                                                           const ModelChoice& choice) {
   std::optional<ConversionReport> best;
   for (const StoredModel& stored : format.models) {
     if (!stored.stock || !stored.since.empty() || find_model(stored.model)->kept_only) continue;
@@ -91,31 +99,32 @@ std::optional<Message> best_of_every_version(std::span<const Camera> cameras, co
 
 Message better_models(const Camera& camera, const ConversionReport& report, const Format& format, std::string_view program,
                       const ModelChoice& choice) {
-  constexpr std::size_t kMost = 3;
-  std::vector<StoredModel> read;
-  std::vector<StoredModel> elsewhere;
+  constexpr std::size_t kMaxSuggestions = 3;
+  std::vector<StoredModel> models_of_program;
+  std::vector<StoredModel> other_models;
   for (const ModelInfo& model : all_models()) {
     const StoredModel* stored = find_stored_model(format, model.id, true);
-    // The camera's own model may always be suggested; a model that only files of one format have (kept_only) may not.
+    // Skip the model to which the camera was converted. Skip a kept_only model (one that only files of one format have), unless
+    // it is the model of the camera itself.
     if (model.id == report.to_model || (model.kept_only && model.id != report.from_model)) continue;
     const bool may_be_chosen = choice.among.empty() || std::ranges::find(choice.among, model.id) != choice.among.end();
     if (stored != nullptr && may_be_chosen) {
-      read.push_back(*stored);
+      models_of_program.push_back(*stored);
     } else if (!is_perspective(model.id)) {
-      elsewhere.emplace_back().model = model.id;
+      other_models.emplace_back().model = model.id;
     }
   }
-  const std::vector<ConversionReport> better = better_ones(camera, report, choice, read);
+  const std::vector<ConversionReport> better = better_conversions(camera, report, choice, models_of_program);
   std::vector<Message> names;
   for (const ConversionReport& one : better) {
-    if (names.size() < kMost) names.push_back(in_words(one));
+    if (names.size() < kMaxSuggestions) names.push_back(in_words(one));
   }
-  const std::vector<ConversionReport> others = better_ones(camera, report, choice, elsewhere);
-  std::vector<Message> still;
+  const std::vector<ConversionReport> others = better_conversions(camera, report, choice, other_models);
+  std::vector<Message> hint_at_other_model;
   if (!others.empty() && is_much_better(others.front(), better.empty() ? report : better.front()))
-    still.push_back({Code::kBetterElsewhere, {in_words(others.front())}});
-  if (names.empty()) return {Code::kNoBetterModel, {program, still}};
-  return {Code::kBetterModels, {program, names, still}};
+    hint_at_other_model.push_back({Code::kBetterElsewhere, {in_words(others.front())}});
+  if (names.empty()) return {Code::kNoBetterModel, {program, hint_at_other_model}};
+  return {Code::kBetterModels, {program, names, hint_at_other_model}};
 }
 
 }  // namespace fca

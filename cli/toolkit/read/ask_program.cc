@@ -12,6 +12,7 @@ namespace fca {
 
 namespace {
 
+/// True if a program reads the same cameras, with the same errors, in both proofs.
 bool same_cameras(const std::vector<CameraProof>& a, const std::vector<CameraProof>& b) {
   return std::ranges::equal(a, b, [](const CameraProof& x, const CameraProof& y) {
     return x.name == y.name && x.model == y.model && x.width == y.width && x.height == y.height && x.misread == y.misread &&
@@ -19,12 +20,14 @@ bool same_cameras(const std::vector<CameraProof>& a, const std::vector<CameraPro
   });
 }
 
-bool say_the_same(const std::vector<consumers::Complaint>& a, const std::vector<consumers::Complaint>& b) {
+/// True if both lists contain the same messages in the same order.
+bool have_same_messages(const std::vector<consumers::Complaint>& a, const std::vector<consumers::Complaint>& b) {
   return std::ranges::equal(a, b, {}, &consumers::Complaint::facts, &consumers::Complaint::facts);
 }
 
-bool come_to_the_same(const ProofResult& a, const ProofResult& b) {
-  return a.loads == b.loads && say_the_same(a.refusals, b.refusals) && say_the_same(a.warnings, b.warnings) &&
+/// True if the two proofs have the same results, so that their modes can be reported together.
+bool have_same_results(const ProofResult& a, const ProofResult& b) {
+  return a.loads == b.loads && have_same_messages(a.refusals, b.refusals) && have_same_messages(a.warnings, b.warnings) &&
          a.poses == b.poses && same_cameras(a.cameras, b.cameras);
 }
 
@@ -77,7 +80,7 @@ ProgramReading ask_program(const consumers::Consumer& program, const Calibration
     ProofResult proof =
         prove(*reading.program, source.bytes, options, calibration.rig, inputs.max_angle_rad.value_or(std::numbers::pi));
     const auto same = std::ranges::find_if(
-        reading.modes, [&proof](const ProgramReading::Mode& each) { return come_to_the_same(each.proof, proof); });
+        reading.modes, [&proof](const ProgramReading::Mode& each) { return have_same_results(each.proof, proof); });
     ProgramReading::Mode& found = same != reading.modes.end() ? *same : reading.modes.emplace_back();
     if (!mode.empty()) found.names.emplace_back(mode);
     found.proof = std::move(proof);

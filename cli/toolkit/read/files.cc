@@ -10,9 +10,9 @@
 namespace fca {
 
 std::optional<text::Source> Files::read(const std::string& path, Diagnostics& diagnostics) {
-  const auto before =
+  const auto earlier =
       is_standard_input(path) ? std::ranges::find(sources_, text::kStandardInput, &text::Source::name) : sources_.end();
-  std::optional<text::Source> source = before != sources_.end() ? std::optional(*before) : fetch(path, diagnostics);
+  std::optional<text::Source> source = earlier != sources_.end() ? std::optional(*earlier) : fetch(path, diagnostics);
   if (source) remember(*source);
   return source;
 }
@@ -22,16 +22,16 @@ std::optional<text::Document> Files::parse(text::Source source, Diagnostics& dia
     const text::Source& other = each->document.source();
     return other.name == source.name && other.bytes == source.bytes;
   });
-  Diagnostics said;
+  Diagnostics found;
   std::optional<text::Document> document;
   if (known != parsed_.end()) {
-    said = (*known)->said;
+    found = (*known)->found;
     document = (*known)->document;
   } else {
-    document = parse_calibration(source, said);
-    if (document) parsed_.push_back(std::make_shared<const Parsed>(Parsed{*document, said}));
+    document = parse_calibration(source, found);
+    if (document) parsed_.push_back(std::make_shared<const Parsed>(Parsed{*document, found}));
   }
-  for (const Diagnostic& entry : said.entries()) diagnostics.add(entry);
+  for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
   return document;
 }
 

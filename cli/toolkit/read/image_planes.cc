@@ -14,7 +14,7 @@ namespace fca {
 
 namespace {
 
-/// One channel, whose samples are of type T.
+/// Copies one channel of an image whose samples have the type T.
 template <class T>
 void put_samples(const Image& image, std::size_t channel, std::span<float> samples) {
   const std::uint8_t* from = image.bytes.data() + channel * sizeof(T);
@@ -39,22 +39,22 @@ void put_samples(const Image& image, std::size_t channel, std::span<float> sampl
   }
 }
 
-/// The level of white. Floating-point samples have no largest value: the image's own is taken, at least 1. Sensors of 10, 12 or
-/// 14 bits deliver 16-bit samples whose high bits are mostly 0.
+/// The level that white has. For floating-point samples, it is the largest sample of the image, but at least 1. For 16-bit
+/// samples, it is the largest level of 10, 12, 14 or 16 bits: sensors with fewer than 16 bits leave the high bits 0.
 float full_scale_of(const Image& image, const std::vector<GreyImage>& planes) {
   if (image.sample == Image::Sample::k8Bit) return 255.0F;
   float largest = 1.0F;
   for (const GreyImage& plane : planes) largest = std::max(largest, *std::ranges::max_element(plane.samples));
   if (image.sample == Image::Sample::kFloat) return largest;
-  constexpr std::array<float, 4> kDepths = {1023.0F, 4095.0F, 16383.0F, 65535.0F};
-  return *std::ranges::lower_bound(kDepths, largest);
+  constexpr std::array<float, 4> kLargestLevels = {1023.0F, 4095.0F, 16383.0F, 65535.0F};
+  return *std::ranges::lower_bound(kLargestLevels, largest);
 }
 
 }  // namespace
 
 std::vector<GreyImage> planes(const Image& image) {
-  constexpr int kWithOpacity = 4;
-  const int colours = image.channels == kWithOpacity ? kWithOpacity - 1 : image.channels;
+  constexpr int kChannelsWithOpacity = 4;
+  const int colours = image.channels == kChannelsWithOpacity ? kChannelsWithOpacity - 1 : image.channels;
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   std::vector<GreyImage> result;
   for (int colour = 0; colour < colours; ++colour) {

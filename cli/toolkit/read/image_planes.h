@@ -9,8 +9,8 @@
 
 namespace fca {
 
-/// An image's colours as separate images, without an opacity channel. NaN and infinite samples become black. The full scale of
-/// 16-bit samples is the smallest of 10, 12, 14 and 16 bits that holds them all.
+/// Separates an image into one plane per colour, without the opacity channel. Samples that are NaN or infinite become 0
+/// (black). The full scale of 16-bit images is that of the smallest of 10, 12, 14 and 16 bits that can represent all samples.
 [[nodiscard]] std::vector<GreyImage> planes(const Image& image);
 
 }  // namespace fca

@@ -7,21 +7,22 @@
 namespace fca {
 
 bool has_size_of(const Camera& camera, bool changed, const Image& image, const std::string& path, Diagnostics& diagnostics) {
-  const ImageSize& known = *camera.image_size;
-  const ImageSize is = {image.width, image.height};
-  if (is == known) return true;
-  // Some pixels may be cut off on each side before scaling: the proportions need only agree to a pixel.
-  const bool scaled = std::abs(1.0 * known.width * is.height / known.height - is.width) <= 1.0;
-  const bool part = is.width <= known.width && is.height <= known.height;
+  const ImageSize& expected = *camera.image_size;
+  const ImageSize actual = {image.width, image.height};
+  if (actual == expected) return true;
+  // The image may have lost some pixels at its borders before it was scaled. So the proportions need only agree to one pixel.
+  const bool may_be_scaled = std::abs(1.0 * expected.width * actual.height / expected.height - actual.width) <= 1.0;
+  const bool may_be_part = actual.width <= expected.width && actual.height <= expected.height;
   Message fix = {Code::kGiveCalibratedSize};
   if (changed) {
     fix = {Code::kSayWhatWasDone};
-  } else if (scaled) {
-    fix = {Code::kIfScaled, {is.width, is.height}};
-  } else if (part) {
-    fix = {Code::kIfPart, {is.width, is.height}};
+  } else if (may_be_scaled) {
+    fix = {Code::kIfScaled, {actual.width, actual.height}};
+  } else if (may_be_part) {
+    fix = {Code::kIfPart, {actual.width, actual.height}};
   }
-  diagnostics.add(Code::kImageOfOtherSize, {is.width, is.height, camera.name, known.width, known.height, fix}, {path, 0, 0});
+  diagnostics.add(Code::kImageOfOtherSize, {actual.width, actual.height, camera.name, expected.width, expected.height, fix},
+                  {path, 0, 0});
   return false;
 }
 

@@ -13,13 +13,14 @@ namespace {
 bool is_discrete(NoiseKind kind) { return kind == NoiseKind::kDiscrete || kind == NoiseKind::kDiscreteVariance; }
 bool is_variance(NoiseKind kind) { return kind == NoiseKind::kVariance || kind == NoiseKind::kDiscreteVariance; }
 
-constexpr std::array kWhite = {&Imu::gyroscope_noise_density, &Imu::accelerometer_noise_density};
-constexpr std::array kWalks = {&Imu::gyroscope_random_walk, &Imu::accelerometer_random_walk};
+constexpr std::array kNoiseDensities = {&Imu::gyroscope_noise_density, &Imu::accelerometer_noise_density};
+constexpr std::array kRandomWalks = {&Imu::gyroscope_random_walk, &Imu::accelerometer_random_walk};
 
-template <class Numbers, class Change>
-void change(Imu& imu, const Numbers& numbers, const Change& how) {
-  for (const auto member : numbers) {
-    if (imu.*member) imu.*member = how(*(imu.*member));
+/// Replaces those of the given members of an IMU that are set by their changed values.
+template <class Members, class Change>
+void change_values(Imu& imu, const Members& members, const Change& changed) {
+  for (const auto member : members) {
+    if (imu.*member) imu.*member = changed(*(imu.*member));
   }
 }
 
@@ -53,23 +54,23 @@ bool make_densities(NoiseKind kind, const std::string& input, Rig& rig, Diagnost
       diagnostics.add(Code::kNoiseWithoutRate, {name_of(kind), imu.name}, {input, 0, 0});
       return false;
     }
-    Message how;
+    Message steps;
     if (is_variance(kind)) {
       const auto root = [](double variance) { return std::sqrt(variance); };
-      change(imu, kWhite, root);
-      change(imu, kWalks, root);
-      how = {Code::kRootsOfVariances};
+      change_values(imu, kNoiseDensities, root);
+      change_values(imu, kRandomWalks, root);
+      steps = {Code::kRootsOfVariances};
     }
-    // The density of white noise is sigma_d / sqrt(rate), that of a random walk sigma_bd * sqrt(rate) (Kalibr's wiki, "IMU
-    // Noise Model": sigma_d = sigma / sqrt(dt), sigma_bd = sigma_b sqrt(dt)).
+    // The density of white noise is sigma_d / sqrt(rate), and the density of a random walk is sigma_bd * sqrt(rate). Source:
+    // Kalibr's wiki, "IMU Noise Model" (sigma_d = sigma / sqrt(dt), sigma_bd = sigma_b sqrt(dt)).
     if (is_discrete(kind)) {
       const double root = std::sqrt(*imu.rate_hz);
-      change(imu, kWhite, [root](double sigma) { return sigma / root; });
-      change(imu, kWalks, [root](double sigma) { return sigma * root; });
+      change_values(imu, kNoiseDensities, [root](double sigma) { return sigma / root; });
+      change_values(imu, kRandomWalks, [root](double sigma) { return sigma * root; });
       const Message by_rate = {Code::kByRate, {*imu.rate_hz}};
-      how = how.is_said() ? Message{Code::kRootsThenRate, {by_rate}} : by_rate;
+      steps = steps.is_said() ? Message{Code::kRootsThenRate, {by_rate}} : by_rate;
     }
-    diagnostics.add(Code::kDensitiesMade, {imu.name, how});
+    diagnostics.add(Code::kDensitiesMade, {imu.name, steps});
   }
   return true;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Converts IMU noise that is not given as densities to densities.
+// Converts noise values of an IMU to noise densities.
 #pragma once
 
 #include <fca/diagnostics.h>
@@ -10,12 +10,13 @@
 
 namespace fca {
 
-/// Sets the rate [Hz] of the IMUs whose files do not contain it. False, with an error, if a file contains another rate, or
-/// there is no IMU.
+/// Sets the rate [Hz] of all IMUs. False, with an error, if an IMU already has another rate, or if there is no IMU. `input`:
+/// the file's name for errors.
 [[nodiscard]] bool set_imu_rate(double rate_hz, const std::string& input, Rig& rig, Diagnostics& diagnostics);
 
-/// Converts the rig's IMU noise to densities (standard deviations in continuous time) and adds a note. `input`: the file's name
-/// for errors. False, with an error, if there is no IMU, or no rate although noise of single samples needs one.
+/// Converts the noise values of the rig's IMUs to densities (standard deviations in continuous time) and adds a note. `kind`:
+/// the present meaning of the values. `input`: the file's name for errors. False, with an error, if there is no IMU, or if an
+/// IMU has no rate although the conversion of discrete noise needs one.
 [[nodiscard]] bool make_densities(NoiseKind kind, const std::string& input, Rig& rig, Diagnostics& diagnostics);
 
 }  // namespace fca

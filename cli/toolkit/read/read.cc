@@ -10,23 +10,25 @@ namespace fca {
 
 namespace {
 
-bool asks_for_lens(const Diagnostic& entry) { return entry.facts.code == Code::kOpencvAmbiguousModel; }
+/// True for the error that the lens model of an OpenCV file is ambiguous.
+bool is_ambiguous_lens(const Diagnostic& entry) { return entry.facts.code == Code::kOpencvAmbiguousModel; }
 
-/// The readings of a file as pinhole and as fisheye, if only its lens is ambiguous; otherwise empty. If neither reading is
-/// possible, adds the other errors.
-std::vector<ReadingAs> both_readings(const Inputs& inputs, Diagnostics& diagnostics, Files& files) {
+/// Reads a file with the pinhole and with the fisheye model, if an ambiguous lens is its only error. Otherwise returns nothing.
+/// If neither reading is possible, returns nothing and adds the errors of the fisheye reading.
+std::vector<ReadingAs> readings_of_lenses(const Inputs& inputs, Diagnostics& diagnostics, Files& files) {
   const auto is_other_error = [](const Diagnostic& entry) {
-    return entry.severity == Severity::kError && !asks_for_lens(entry);
+    return entry.severity == Severity::kError && !is_ambiguous_lens(entry);
   };
   std::vector<ReadingAs> readings;
   Diagnostics other;  // further errors, if neither reading is possible
-  if (std::ranges::none_of(diagnostics.entries(), asks_for_lens) || std::ranges::any_of(diagnostics.entries(), is_other_error))
+  if (std::ranges::none_of(diagnostics.entries(), is_ambiguous_lens) ||
+      std::ranges::any_of(diagnostics.entries(), is_other_error))
     return readings;
   for (const OpenCvModel model : {OpenCvModel::kPinhole, OpenCvModel::kFisheye}) {
-    Inputs as = inputs;
-    as.opencv_model = model;
+    Inputs assumed = inputs;
+    assumed.opencv_model = model;
     Diagnostics found;
-    std::optional<Calibration> calibration = read_calibration(as, files, found);
+    std::optional<Calibration> calibration = read_calibration(assumed, files, found);
     if (calibration) {
       readings.push_back({model, {}, *std::move(calibration)});
     } else {
@@ -38,37 +40,38 @@ std::vector<ReadingAs> both_readings(const Inputs& inputs, Diagnostics& diagnost
   return readings;
 }
 
-/// The readings of a file that has a lens for each image size, one per size; empty for other files.
+/// Reads a file that contains a lens for each of several image sizes once for each size. Empty for other files.
 std::vector<ReadingAs> readings_of_sizes(const Inputs& inputs, const Diagnostics& diagnostics, Files& files) {
   std::vector<ReadingAs> readings;
   for (const ImageSize& size : offered_sizes(diagnostics)) {
-    Inputs as = inputs;
-    as.image_size = size;
+    Inputs assumed = inputs;
+    assumed.image_size = size;
     Diagnostics found;
-    if (std::optional<Calibration> calibration = read_calibration(as, files, found))
+    if (std::optional<Calibration> calibration = read_calibration(assumed, files, found))
       readings.push_back({{}, size, *std::move(calibration)});
   }
   return readings;
 }
 
+/// Replaces the errors about an ambiguous lens or image size by warnings.
 Diagnostics as_warnings(const Diagnostics& diagnostics) {
   Diagnostics result;
   for (Diagnostic entry : diagnostics.entries()) {
-    if (asks_for_lens(entry) || entry.facts.code == Code::kDeviceSizeNeeded) entry.severity = Severity::kWarning;
+    if (is_ambiguous_lens(entry) || entry.facts.code == Code::kDeviceSizeNeeded) entry.severity = Severity::kWarning;
     result.add(std::move(entry));
   }
   return result;
 }
 
-/// The findings about the meaning of the file that contains the cameras.
-std::vector<Finding> findings_in(const Calibration& calibration, const Inputs& inputs, const Diagnostics& diagnostics) {
+/// Checks the meaning of the file that contains the cameras.
+std::vector<Finding> findings_of_check(const Calibration& calibration, const Inputs& inputs, const Diagnostics& diagnostics) {
   CheckOptions options;
   options.reading = read_options(inputs);
   options.from = calibration.format;
   options.max_angle_rad = inputs.max_angle_rad;
   std::vector<Finding> findings = findings_about_meaning(calibration.documents[calibration.with_cameras], calibration,
                                                          diagnostics, options, *calibration.format);
-  // Reading does not need every part of the calibration, but the program does: a missing part is an error for it.
+  // We can read a calibration without all of its parts, but the program cannot: for the program, a missing part is an error.
   for (Finding& finding : findings) {
     if (finding.facts.code != Code::kPartMissing) continue;
     finding.severity = Severity::kError;
@@ -80,17 +83,17 @@ std::vector<Finding> findings_in(const Calibration& calibration, const Inputs& i
 }  // namespace
 
 Inputs with_parts_recognised(const Inputs& inputs, Files& files) {
-  constexpr std::size_t kMost = 4;
-  if (inputs.join || inputs.files.size() < 2 || inputs.files.size() > kMost) return inputs;
+  constexpr std::size_t kMaxFiles = 4;
+  if (inputs.join || inputs.files.size() < 2 || inputs.files.size() > kMaxFiles) return inputs;
   Inputs result = inputs;
   result.files.clear();
   for (const std::string& file : inputs.files) {
-    Inputs one = inputs;
-    one.files = {file};
-    one.parts.clear();
-    one.cameras.reset();
+    Inputs single = inputs;
+    single.files = {file};
+    single.parts.clear();
+    single.cameras.reset();
     Diagnostics discarded;
-    const std::optional<Calibration> calibration = read_calibration(one, files, discarded);
+    const std::optional<Calibration> calibration = read_calibration(single, files, discarded);
     const bool is_part = calibration && calibration->rig.cameras.empty();
     (is_part ? result.parts : result.files).push_back(file);
   }
@@ -103,7 +106,7 @@ Reading read(const ReadRequest& request, Files& files) {
   reading.status = status_of(reading.diagnostics);
   if (!reading.calibration) {
     reading.readings = readings_of_sizes(request.inputs, reading.diagnostics, files);
-    if (reading.readings.empty()) reading.readings = both_readings(request.inputs, reading.diagnostics, files);
+    if (reading.readings.empty()) reading.readings = readings_of_lenses(request.inputs, reading.diagnostics, files);
     if (reading.readings.empty()) return reading;
     reading.diagnostics = as_warnings(reading.diagnostics);
     reading.status = Status::kDone;
@@ -122,7 +125,7 @@ Reading read(const ReadRequest& request, Files& files) {
                                   load_options(read_options(request.inputs)));
   }
   if (request.program != nullptr) {
-    const std::vector<Finding> findings = findings_in(calibration, request.inputs, reading.diagnostics);
+    const std::vector<Finding> findings = findings_of_check(calibration, request.inputs, reading.diagnostics);
     reading.asked = ask_program(*request.program, calibration, request.inputs, findings);
   }
   return reading;

@@ -18,7 +18,7 @@ namespace fca {
 
 namespace {
 
-/// The steps of a change as messages: "crop 512 x 512 px at (64, 0)", "binning 2", "resize to 640 x 480 px"
+/// Describes the steps of a change: "crop 512 x 512 px at (64, 0)", "binning 2", "resize to 640 x 480 px".
 std::vector<Message> steps_of(const ImageChange& change) {
   std::vector<Message> steps;
   if (change.crop)
@@ -28,13 +28,13 @@ std::vector<Message> steps_of(const ImageChange& change) {
   return steps;
 }
 
-/// The map of one axis as a message: "u' = 0.5 u - 0.25"
+/// Describes the map of one axis: "u' = 0.5 u - 0.25".
 Message in_words(const PixelMap& map, std::size_t axis) {
   const double shift = map.shift.at(axis);
   return {Code::kAxisMap, {axis == 0 ? "u" : "v", map.scale.at(axis), shift < 0.0 ? "-" : "+", std::abs(shift)}};
 }
 
-/// Replaces the cameras by those of the changed images; false, with errors, if the change is not possible.
+/// Replaces the cameras by the cameras of the changed images. False, with errors, if the change is not possible.
 bool change_images(const ImageChange& change, const std::string& input, Rig& rig, Diagnostics& diagnostics) {
   if (change.changes_nothing()) return true;
   if (rig.rectified) diagnostics.add(Code::kRectificationOfOtherImages, {}, {input, 0, 0});
@@ -59,9 +59,9 @@ bool change_images(const ImageChange& change, const std::string& input, Rig& rig
   return true;
 }
 
-/// The indices of the chosen cameras in the rig; nullopt, with an error, for a camera that does not exist or is chosen twice.
-std::optional<std::vector<std::size_t>> places_of(const std::vector<CameraChoice>& choices, const Rig& rig,
-                                                  Diagnostics& diagnostics) {
+/// The indices of the chosen cameras in the rig. nullopt, with an error, if a camera does not exist or is chosen twice.
+std::optional<std::vector<std::size_t>> indices_of(const std::vector<CameraChoice>& choices, const Rig& rig,
+                                                   Diagnostics& diagnostics) {
   std::vector<std::size_t> indices;
   for (const CameraChoice& choice : choices) {
     const auto by_name = std::ranges::find(rig.cameras, choice.name, &Camera::name);
@@ -83,8 +83,8 @@ std::optional<std::vector<std::size_t>> places_of(const std::vector<CameraChoice
   return indices;
 }
 
-/// Keeps only these cameras in the rig. Extra fields, rectification and uncertainties of the others are removed; poses that
-/// lead through a removed camera remain.
+/// Keeps only these cameras in the rig, and removes the extra fields, rectification and uncertainties of the others. Poses
+/// between the remaining frames that are defined by way of a removed camera are kept.
 void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
   std::vector<Camera> cameras;
   cameras.reserve(indices.size());
@@ -93,8 +93,8 @@ void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
     if (std::ranges::find(indices, i) != indices.end()) continue;
     const std::string& name = rig.cameras[i].name;
     std::erase_if(rig.extra_fields, [&name](const ExtraField& extra) { return extra.owner == name; });
-    const auto is_of_it = [&name](const RectifiedPair::View& view) { return view.camera == name; };
-    if (rig.rectified && std::ranges::any_of(rig.rectified->views, is_of_it)) rig.rectified.reset();
+    const auto shows_camera = [&name](const RectifiedPair::View& view) { return view.camera == name; };
+    if (rig.rectified && std::ranges::any_of(rig.rectified->views, shows_camera)) rig.rectified.reset();
     std::erase_if(rig.uncertainties, [&name](const Uncertainty& each) { return each.camera == name; });
     std::erase_if(rig.pose_uncertainties, [&name](const PoseUncertainty& each) { return each.a == name || each.b == name; });
     remove_frame(name, rig);
@@ -102,16 +102,17 @@ void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
   rig.cameras = std::move(cameras);
 }
 
-/// Reads the files that the last document, which has that format, names as its parts. A missing part is a warning, since the
-/// user may need only what the others contain. False, with errors, if a part cannot be parsed.
+/// Reads the files to which the last document refers as its parts, and appends them to `documents`. `format`: the format of the
+/// last document. A missing part is a warning, since the user may only need the contents of the others; then no part is
+/// appended. False, with errors, if a part cannot be parsed.
 bool add_parts(const Format& format, Files& files, std::vector<text::Document>& documents, Diagnostics& diagnostics) {
   std::vector<text::Document> parts;
-  bool all_there = true;
+  bool all_found = true;
   for (const NamedFile& named : named_parts(format, documents.back())) {
     std::optional<text::Source> source = read_part(named);
     if (!source) {
       diagnostics.add(Code::kPartMissing, {named.path}, named.where);
-      all_there = false;
+      all_found = false;
       continue;
     }
     files.remember(*source);
@@ -119,19 +120,19 @@ bool add_parts(const Format& format, Files& files, std::vector<text::Document>& 
     if (!part) return false;
     parts.push_back(*std::move(part));
   }
-  if (all_there) std::ranges::move(parts, std::back_inserter(documents));
+  if (all_found) std::ranges::move(parts, std::back_inserter(documents));
   return true;
 }
 
-/// False, with an error, if a file contains an image size other than the one that the request gives for files without a size.
+/// The request can give an image size for files without a size. False, with an error, if a file contains another image size.
 bool has_given_size(const Inputs& inputs, const Calibration& calibration, Diagnostics& diagnostics) {
   const std::optional<ImageSize>& size = inputs.image_size;
   if (!size) return true;
   // If one of several cameras has the given size, the others may have their own.
-  const bool of_one_of_many =
+  const bool one_camera_has_it =
       std::ranges::find(calibration.rig.cameras, size, &Camera::image_size) != calibration.rig.cameras.end();
   for (const Camera& camera : calibration.rig.cameras) {
-    if (camera.image_size == size || of_one_of_many) continue;
+    if (camera.image_size == size || one_camera_has_it) continue;
     diagnostics.add(Code::kGivenSizeContradicts,
                     {camera.name, camera.image_size->width, camera.image_size->height, size->width, size->height},
                     {inputs.files.front(), 0, 0});
@@ -140,14 +141,14 @@ bool has_given_size(const Inputs& inputs, const Calibration& calibration, Diagno
   return true;
 }
 
-/// False, with an error, if the request gives a length unit and all files contain theirs.
+/// False, with an error, if the request gives a length unit although all files contain their own.
 bool has_use_for_unit(const Inputs& inputs, const Calibration& calibration, Diagnostics& diagnostics) {
   if (!inputs.length_unit_m || calibration.poses_in_told_unit > 0) return true;
   diagnostics.add(Code::kUnitWithoutUse, {calibration.format->title}, {inputs.files.front(), 0, 0});
   return false;
 }
 
-/// Replaces each folder that contains one rig by the rig's files.
+/// Replaces each folder that contains one rig or a COLMAP model by its files.
 Inputs with_rig_files(const Inputs& inputs) {
   Inputs result = inputs;
   result.files.clear();
@@ -211,9 +212,9 @@ std::optional<Calibration> read_as_stated(const Inputs& given, Files& files, Dia
 
 bool apply_choices(const Inputs& inputs, Files& files, Calibration& calibration, Diagnostics& diagnostics) {
   if (inputs.cameras) {
-    const std::optional<std::vector<std::size_t>> places = places_of(*inputs.cameras, calibration.rig, diagnostics);
-    if (!places) return false;
-    keep_only(*places, calibration.rig);
+    const std::optional<std::vector<std::size_t>> indices = indices_of(*inputs.cameras, calibration.rig, diagnostics);
+    if (!indices) return false;
+    keep_only(*indices, calibration.rig);
   }
   if (!add_lens_circles(inputs.lens_circles, inputs.change, files, calibration.rig, diagnostics)) return false;
   const std::string& input = inputs.files.front();

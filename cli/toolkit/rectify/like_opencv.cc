@@ -13,7 +13,8 @@ namespace fca {
 
 namespace {
 
-/// The model's distortion coefficients in OpenCV's order; nullopt if neither cv::projectPoints nor cv::fisheye has the model.
+/// The model's distortion coefficients in OpenCV's order. nullopt if neither cv::projectPoints nor cv::fisheye supports the
+/// model.
 std::optional<std::vector<double>> coefficients_of(const CameraModel& model) {
   const std::string_view id = model_info(model).id;
   const auto values = [&model](std::span<const ParameterId> names) {
@@ -29,9 +30,9 @@ std::optional<std::vector<double>> coefficients_of(const CameraModel& model) {
 
 }  // namespace
 
-std::optional<RectifiedPair> rectified_by(const OpenCvRectifier& opencv, const std::array<Camera, 2>& cameras,
-                                          const Transform& T_second_first, double alpha, const ImageSize& size,
-                                          Diagnostics& diagnostics) {
+std::optional<RectifiedPair> rectify_with_opencv(const OpenCvRectifier& opencv, const std::array<Camera, 2>& cameras,
+                                                 const Transform& T_second_first, double alpha, const ImageSize& size,
+                                                 Diagnostics& diagnostics) {
   OpenCvPair pair;
   pair.alpha = alpha;
   pair.size = *cameras[0].image_size;
@@ -52,23 +53,23 @@ std::optional<RectifiedPair> rectified_by(const OpenCvRectifier& opencv, const s
     const auto value = [&model](const ParameterId& name) { return parameter(model, name).value(); };
     pair.K.at(i) = {value("fx"), 0.0, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0};
   }
-  const std::optional<OpenCvRectification> found = opencv(pair);
+  const std::optional<OpenCvRectification> rectification = opencv(pair);
   const auto is_camera = [](const std::array<double, 12>& P) {
     return std::isfinite(P[0]) && P[0] > 0.0 && std::isfinite(P[2]);
   };
-  if (!found || !is_camera(found->P[0]) || !is_camera(found->P[1])) {
+  if (!rectification || !is_camera(rectification->P[0]) || !is_camera(rectification->P[1])) {
     diagnostics.add(Code::kRectifyOpencvFailed, {cameras[0].name + " and " + cameras[1].name});
     return std::nullopt;
   }
   RectifiedPair result;
   for (std::size_t i = 0; i < 2; ++i) {
-    const std::array<double, 12>& P = found->P.at(i);
+    const std::array<double, 12>& P = rectification->P.at(i);
     RectifiedPair::View& view = result.views.at(i);
     view.camera = cameras.at(i).name;
     view.centre = {P[2], P[6]};
-    for (int k = 0; k < 9; ++k) view.T_rectified_camera(k / 3, k % 3) = found->R.at(i).at(static_cast<std::size_t>(k));
+    for (int k = 0; k < 9; ++k) view.T_rectified_camera(k / 3, k % 3) = rectification->R.at(i).at(static_cast<std::size_t>(k));
   }
-  const std::array<double, 12>& P2 = found->P[1];
+  const std::array<double, 12>& P2 = rectification->P[1];
   result.focal_lengths = {P2[0], P2[5]};
   result.is_vertical = P2[7] != 0.0;
   result.offset_m = result.is_vertical ? -P2[7] / P2[5] : -P2[3] / P2[0];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/toolkit/rectify.h>
 
+#include "degrees.h"
 #include "like_opencv.h"
 #include "remap/compute_map.h"
 #include "settings.h"
@@ -12,15 +13,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace fca {
 
 namespace {
 
-/// The rectification in the files, with the valid region of each camera; nullopt, with an error, if there is none.
-std::optional<RectifiedPair> as_stated(const SourcePair& source, Diagnostics& diagnostics) {
+/// The rectification in the files, to which the valid region of each view is added. nullopt, with an error, if a view has no
+/// valid region. `source` must contain a rectification.
+std::optional<RectifiedPair> rectification_in_files(const SourcePair& source, Diagnostics& diagnostics) {
   RectifiedPair pair = *source.stated;
   if (!pair.size) pair.size = source.cameras[0].image_size;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -32,7 +33,10 @@ std::optional<RectifiedPair> as_stated(const SourcePair& source, Diagnostics& di
   return pair;
 }
 
-std::optional<RectifiedPair> computed(const RectifyRequest& request, const SourcePair& source, RectifyResult& result) {
+/// Computes the rectification, with OpenCV if the request has its function (then `result.ours` also gets our own). nullopt,
+/// with errors, if that fails.
+std::optional<RectifiedPair> computed_rectification(const RectifyRequest& request, const SourcePair& source,
+                                                    RectifyResult& result) {
   const auto& [first, second] = source.cameras;
   RectifyOptions options{request.view, request.size};
   const auto* by_alpha = std::get_if<RectifiedByAlpha>(&request.view);
@@ -40,30 +44,31 @@ std::optional<RectifiedPair> computed(const RectifyRequest& request, const Sourc
   if (request.like_opencv) options.view = RectifiedByAlpha{alpha};
   std::optional<RectifiedPair> ours = rectify(first, second, source.T_second_first, options, result.diagnostics);
   if (!request.like_opencv || !ours) return ours;
-  std::optional<RectifiedPair> theirs =
-      rectified_by(request.like_opencv, source.cameras, source.T_second_first, alpha, *ours->size, result.diagnostics);
-  if (!theirs) return std::nullopt;
-  for (std::size_t i = 0; i < 2; ++i) theirs->views.at(i).valid = valid_region(source.cameras.at(i), *theirs, i, *ours->size);
+  std::optional<RectifiedPair> by_opencv =
+      rectify_with_opencv(request.like_opencv, source.cameras, source.T_second_first, alpha, *ours->size, result.diagnostics);
+  if (!by_opencv) return std::nullopt;
+  for (std::size_t i = 0; i < 2; ++i)
+    by_opencv->views.at(i).valid = valid_region(source.cameras.at(i), *by_opencv, i, *ours->size);
   result.ours = std::move(ours);
-  return theirs;
+  return by_opencv;
 }
 
-/// Warns if the rectification in a file contradicts the pose there; the rectification is used nevertheless.
+/// Warns if the rectification in a file contradicts the pose in the same file. The rectification is used nevertheless.
 void warn_of_contradiction(const SourcePair& source, const RectifiedPair& pair, const std::string& file,
                            Diagnostics& diagnostics) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   constexpr double kMmPerM = 1000.0;
-  const Transform stated = pose_of(pair);
-  const double angle = kDegrees * angle_between(stated, source.T_second_first);
-  const double metres = distance_between(stated, source.T_second_first);
-  constexpr double kNoticeable = 0.05;  // deg
-  if (angle <= kNoticeable && metres <= 0.005 * distance_of(source.T_second_first)) return;
+  const Transform pose_in_rectification = pose_of(pair);
+  const double angle = kDegreesPerRadian * angle_between(pose_in_rectification, source.T_second_first);
+  const double metres = distance_between(pose_in_rectification, source.T_second_first);
+  constexpr double kNoticeableAngle = 0.05;   // deg
+  constexpr double kNoticeableShare = 0.005;  // of the distance between the cameras
+  if (angle <= kNoticeableAngle && metres <= kNoticeableShare * distance_of(source.T_second_first)) return;
   const Message facts = {Code::kRectificationContradicts,
                          {source.cameras[0].name, source.cameras[1].name, angle, kMmPerM * metres}};
   diagnostics.add({Severity::kWarning, facts, {file, 0, 0}});
 }
 
-/// Puts the left or upper camera first.
+/// Copies the cameras and their pose to the result, with the left (upper) camera first.
 void put_in_order(SourcePair source, RectifyResult& result) {
   if (result.pair.offset_m < 0.0) {
     result.is_exchanged = true;
@@ -83,6 +88,7 @@ double field_across(const RectifiedPair& pair, const ImageSize& size) {
   return std::atan((centre + 0.5) / pair.focal_lengths[0]) + std::atan((size.width - 0.5 - centre) / pair.focal_lengths[0]);
 }
 
+/// Adds the maps of both cameras to the result. False, with errors, if that fails.
 bool add_maps(const RectifyRequest& request, RectifyResult& result) {
   for (std::size_t i = 0; i < 2; ++i) {
     const Camera& source = result.cameras.at(i);
@@ -101,6 +107,7 @@ bool add_maps(const RectifyRequest& request, RectifyResult& result) {
   return true;
 }
 
+/// Fills the result. False if an error ends the rectification.
 bool run(const RectifyRequest& request, Files& files, RectifyResult& result) {
   const std::optional<Calibration> calibration = read_models(request.inputs, files, result.diagnostics);
   if (!calibration) return false;
@@ -110,10 +117,10 @@ bool run(const RectifyRequest& request, Files& files, RectifyResult& result) {
     result.diagnostics.add(Code::kFileWithoutSize, {}, {request.inputs.files.front(), 0, 0});
     return false;
   }
-  const bool is_asked = !std::holds_alternative<std::monostate>(request.view) || request.size || request.like_opencv;
-  result.is_stated = source->stated && !is_asked;
+  const bool is_view_requested = !std::holds_alternative<std::monostate>(request.view) || request.size || request.like_opencv;
+  result.is_stated = source->stated && !is_view_requested;
   std::optional<RectifiedPair> pair =
-      result.is_stated ? as_stated(*source, result.diagnostics) : computed(request, *source, result);
+      result.is_stated ? rectification_in_files(*source, result.diagnostics) : computed_rectification(request, *source, result);
   if (!pair) return false;
   if (result.is_stated) warn_of_contradiction(*source, *pair, request.inputs.files.front(), result.diagnostics);
   result.size = *pair->size;

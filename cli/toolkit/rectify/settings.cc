@@ -16,11 +16,12 @@ namespace {
 
 constexpr std::string_view kOrbSlam2 = "orbslam2";
 
+/// The name of the program for which the settings are.
 std::string_view program_of(const RectifyRequest& request) {
   return name_of(request.layout) == kOrbSlam2 ? "ORB-SLAM2" : request.to->program;
 }
 
-/// Adds the IMU's noise and the pose of the rectified left camera in the IMU, if they are known.
+/// Adds the noise of the IMU and the pose of the rectified left camera in the frame of the IMU, if they are known.
 void add_imu(const Rig& input, const Camera& camera, const Transform& T_rectified_camera, Rig& rig) {
   const std::string imu = input.imus.empty() ? "imu0" : input.imus.front().name;
   const std::optional<Transform> T_imu_camera = input.resolve(imu, camera.name);
@@ -32,7 +33,7 @@ void add_imu(const Rig& input, const Camera& camera, const Transform& T_rectifie
   rig.imus.front().name = "imu0";
 }
 
-/// The rig for a format that has one camera for both rectified images, and the baseline.
+/// The rig for a format that stores one camera for both rectified images, and the baseline.
 Rig rig_of_images(const Rig& input, const RectifyResult& result) {
   Rig rig;
   Camera camera = rectified_camera(result.pair, 0, result.size);
@@ -49,7 +50,7 @@ Rig rig_of_images(const Rig& input, const RectifyResult& result) {
   return rig;
 }
 
-/// The rig for a format that has both original cameras and their rectification.
+/// The rig for a format that stores both original cameras and their rectification.
 Rig rig_of_cameras(const RectifyResult& result) {
   Rig rig;
   rig.cameras = {result.cameras[0], result.cameras[1]};
@@ -57,13 +58,14 @@ Rig rig_of_cameras(const RectifyResult& result) {
   rig.rectified->sources.clear();
   for (std::size_t i = 0; i < 2; ++i) rig.rectified->views.at(i).camera = result.cameras.at(i).name;
   rig.poses = {{result.cameras[1].name, result.cameras[0].name, result.T_second_first}};
-  // If pose and rectification contradict each other, the pose is computed from the rectification, which makes the images.
+  // If pose and rectification contradict each other, the pose is computed from the rectification, since that determines the
+  // rectified images.
   if (!states_rectification(rig)) rig.poses.front().T_a_b = pose_of(result.pair);
   return rig;
 }
 
-/// False, with an error, if the format cannot represent this pair.
-bool is_held(const RectifyRequest& request, const RectifyResult& result, Diagnostics& diagnostics) {
+/// True if the format can store this pair. If not, adds an error.
+bool can_store(const RectifyRequest& request, const RectifyResult& result, Diagnostics& diagnostics) {
   const auto& [first, second] = result.cameras;
   const auto refuse = [&diagnostics](Code code, std::vector<Argument> facts) {
     diagnostics.add(code, std::move(facts));
@@ -74,8 +76,8 @@ bool is_held(const RectifyRequest& request, const RectifyResult& result, Diagnos
     if (result.pair.is_vertical) return refuse(Code::kRectifyVertical, {first.name, second.name, program});
     const double left = result.pair.views[0].centre[0];
     const double right = result.pair.views[1].centre[0];
-    constexpr double kSame = 1e-3;
-    if (std::abs(left - right) > kSame) return refuse(Code::kRectifyCentresDiffer, {left, right, program});
+    constexpr double kLargestDifference = 1e-3;  // px
+    if (std::abs(left - right) > kLargestDifference) return refuse(Code::kRectifyCentresDiffer, {left, right, program});
   } else if (first.image_size && *first.image_size != result.size) {
     return refuse(Code::kRectifySizesDiffer, {first.name, first.image_size->width, first.image_size->height,
                                               "the rectified pair", result.size.width, result.size.height});
@@ -88,7 +90,8 @@ bool is_held(const RectifyRequest& request, const RectifyResult& result, Diagnos
   return true;
 }
 
-/// Proves one file with its programs' readers and adds the proofs to the result.
+/// Proves what its programs read from a file, and adds the proofs to the result. If a program reads something else than `rig`,
+/// the result is rejected.
 void prove_file(const ConvertedFile& file, const Written& written, const Rig& rig, RectifyResult& result) {
   ReadOptions reading;
   reading.opencv_model = written.opencv_model;
@@ -118,7 +121,7 @@ bool write_settings(const RectifyRequest& request, const Calibration& input, Rec
     result.diagnostics.add(Code::kRectifyNoPlace, {to.title, rectified_formats()});
     return false;
   }
-  if (!is_held(request, result, result.diagnostics)) return false;
+  if (!can_store(request, result, result.diagnostics)) return false;
   const bool images = to.rectified == RectifiedFiles::kImages;
   const Rig rig = images ? rig_of_images(input.rig, result) : rig_of_cameras(result);
   WriteOptions options;
@@ -139,12 +142,12 @@ bool write_settings(const RectifyRequest& request, const Calibration& input, Rec
   result.mode = written->sensor;
   result.losses = written->losses;
   result.defaults = written->defaults;
-  Rig meant = rig;
-  for (const PoseEdge& edge : written->restated) meant.poses = {edge};
+  Rig rig_to_read = rig;
+  for (const PoseEdge& edge : written->restated) rig_to_read.poses = {edge};
   for (const Written::File& file : written->files) {
     result.files.push_back({file.document.source().name, "", file.document.bytes(), file.document.syntax(), file.cameras,
                             file.programs, file.named, file.place, file.of_defaults});
-    prove_file(result.files.back(), *written, meant, result);
+    prove_file(result.files.back(), *written, rig_to_read, result);
   }
   return true;
 }

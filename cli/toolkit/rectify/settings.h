@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files for a rectified pair, or for its rectified images.
+// Writes settings files for programs that rectify images, or that use images that are already rectified.
 #pragma once
 
 #include <fca/formats/calibration.h>
@@ -7,7 +7,8 @@
 
 namespace fca {
 
-/// Adds the files in the request's format, and the proofs that its programs read them, to the result. False with errors.
+/// Writes the files in the request's format, and proves what its programs read from them. Adds files and proofs to the result.
+/// False, with errors, if the format cannot store the pair.
 [[nodiscard]] bool write_settings(const RectifyRequest& request, const Calibration& input, RectifyResult& result);
 
 }  // namespace fca

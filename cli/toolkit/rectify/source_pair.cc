@@ -14,7 +14,7 @@ namespace fca {
 
 namespace {
 
-/// The pair of a file that has one camera without distortion for both rectified images.
+/// The pair of a file that contains one camera without distortion for both rectified images.
 SourcePair of_rectified_images(const Rig& rig) {
   SourcePair result;
   const Camera& camera = rig.cameras.front();
@@ -32,6 +32,7 @@ SourcePair of_rectified_images(const Rig& rig) {
   return result;
 }
 
+/// True if the rig only has a baseline and one camera without distortion.
 bool is_of_rectified_images(const Rig& rig) {
   if (rig.cameras.size() != 1 || !rig.baseline_m) return false;
   const CameraModel& model = rig.cameras.front().model;
@@ -40,14 +41,15 @@ bool is_of_rectified_images(const Rig& rig) {
   return model_info(model).id == "radtan" && std::ranges::all_of(lens, [](double value) { return value == 0.0; });
 }
 
-/// The indices of the pair's cameras in the rig; nullopt if there is no pair.
-std::optional<std::pair<std::size_t, std::size_t>> places_of(const Rig& rig) {
+/// The indices of the pair's cameras in the rig: those of its rectification if it has one, else its only two cameras, else its
+/// stereo pair. nullopt if there is none.
+std::optional<std::pair<std::size_t, std::size_t>> indices_of_pair(const Rig& rig) {
   if (rig.rectified) {
-    const auto place = [&rig](std::size_t view) {
+    const auto index_of = [&rig](std::size_t view) {
       const auto found = std::ranges::find(rig.cameras, rig.rectified->views.at(view).camera, &Camera::name);
       return static_cast<std::size_t>(found - rig.cameras.begin());
     };
-    if (place(0) < rig.cameras.size() && place(1) < rig.cameras.size()) return std::pair{place(0), place(1)};
+    if (index_of(0) < rig.cameras.size() && index_of(1) < rig.cameras.size()) return std::pair{index_of(0), index_of(1)};
   }
   if (rig.cameras.size() == 2) return std::pair<std::size_t, std::size_t>{0, 1};
   return stereo_pair(rig);
@@ -66,10 +68,10 @@ std::optional<SourcePair> source_pair(const Rig& rig, const std::string& file, D
   }
   if (is_of_rectified_images(rig)) return of_rectified_images(rig);
   if (rig.cameras.size() < 2) return refuse(Code::kRectifyNeedsPair, {rig.cameras.size()});
-  const auto places = places_of(rig);
-  if (!places) return refuse(Code::kRectifyWhichPair, {rig.cameras.size()});
+  const auto indices = indices_of_pair(rig);
+  if (!indices) return refuse(Code::kRectifyWhichPair, {rig.cameras.size()});
   SourcePair result;
-  result.cameras = {rig.cameras[places->first], rig.cameras[places->second]};
+  result.cameras = {rig.cameras[indices->first], rig.cameras[indices->second]};
   const auto& [first, second] = result.cameras;
   const std::optional<Transform> T = rig.resolve(second.name, first.name);
   if (!T) return refuse(Code::kRectifyNoPose, {first.name, second.name});

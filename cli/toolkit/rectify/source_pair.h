@@ -14,12 +14,12 @@ namespace fca {
 struct SourcePair {
   std::array<Camera, 2> cameras;
   Transform T_second_first;
-  /// The rectification of these cameras, in this order; nullopt if the files contain none.
+  /// The rectification of these cameras in the files, with the cameras in this order. nullopt if the files contain none.
   std::optional<RectifiedPair> stated;
-  bool is_rectified = false;  ///< The files contain only the camera of the rectified images and the baseline.
+  bool is_rectified = false;  ///< The files only contain the baseline and one camera, that of the rectified images.
 };
 
-/// The stereo pair among the rig's cameras; nullopt, with an error at `file`, if there is none.
+/// Finds the stereo pair among the cameras of a rig. nullopt, with an error at `file`, if there is none.
 [[nodiscard]] std::optional<SourcePair> source_pair(const Rig& rig, const std::string& file, Diagnostics& diagnostics);
 
 }  // namespace fca

@@ -28,9 +28,9 @@ ImageMap compute_map(const ImageMapper& mapper, std::size_t jobs) {
   const auto stride = 2 * static_cast<std::size_t>(size.width);
   const auto rows = static_cast<std::size_t>(size.height);
   ImageMap map{size, std::vector<float>(stride * rows)};
-  constexpr std::size_t kRows = 16;  // rows per piece of work
-  parallel_for((rows + kRows - 1) / kRows, jobs, [&](std::size_t piece) {
-    for (std::size_t row = piece * kRows; row < std::min(rows, (piece + 1) * kRows); ++row)
+  constexpr std::size_t kRowsPerBand = 16;
+  parallel_for((rows + kRowsPerBand - 1) / kRowsPerBand, jobs, [&](std::size_t band) {
+    for (std::size_t row = band * kRowsPerBand; row < std::min(rows, (band + 1) * kRowsPerBand); ++row)
       mapper.row(static_cast<int>(row), std::span(map.uv).subspan(row * stride, stride));
   });
   return map;

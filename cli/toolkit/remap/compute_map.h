@@ -9,15 +9,16 @@
 
 namespace fca {
 
-/// Computes the whole map, in bands of rows of which up to `jobs` are computed at the same time (0: as many as processors).
+/// Computes the whole map in bands of rows. `jobs`: number of bands that are computed at the same time (0: number of
+/// processors).
 [[nodiscard]] ImageMap compute_map(const ImageMapper& mapper, std::size_t jobs);
 
-/// The largest width or height of an image: cv::remap stores pixel coordinates in 16 bits with a sign, and takes no image of
+/// The largest width or height of an image. cv::remap stores pixel coordinates as signed 16-bit numbers, and refuses images of
 /// 32,767 px.
 inline constexpr int kLongestSidePx = 32766;
 
-/// Whether images of the camera's size are small enough for cv::remap and for memory; if not, or the size is not known, adds an
-/// error.
+/// True if images of the camera's size are small enough for cv::remap and for memory. If not, or if the size is unknown, adds
+/// an error.
 [[nodiscard]] bool fits_cv_remap(const Camera& camera, Diagnostics& diagnostics);
 
 }  // namespace fca

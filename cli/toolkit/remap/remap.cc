@@ -15,7 +15,7 @@ namespace fca {
 
 namespace {
 
-/// The camera whose images are remapped; nullopt, with an error, if the file has none or several.
+/// Reads the camera whose images are remapped. nullopt, with an error, if there is no camera, more than one, or no image size.
 std::optional<Camera> source_of(const RemapRequest& request, Files& files, Diagnostics& diagnostics) {
   const std::optional<Calibration> calibration = read_models(request.inputs, files, diagnostics);
   if (!calibration) return std::nullopt;
@@ -30,29 +30,29 @@ std::optional<Camera> source_of(const RemapRequest& request, Files& files, Diagn
   return cameras.front();
 }
 
-/// The camera of the new images, and the rotation from the source to it.
+/// The camera of the new images, and the rotation from the frame of the source camera to its frame.
 struct View {
   Camera camera;
   Transform T_camera_source = {};
 };
 
-/// The camera of ROS's rectified image by R and P, if the file contains these; otherwise the camera itself.
-View as_rectified(const Rig& rig, const Camera& camera) {
+/// If the file contains a rectification R and P of ROS: the camera of the rectified image. Otherwise the camera itself.
+View rectified_view_of(const Rig& rig, const Camera& camera) {
   if (const std::optional<RectifiedImage> image = rectified_image(rig, camera))
     return {image->camera, image->T_rectified_camera};
   return {camera};
 }
 
-/// The camera of a file with the given name, or the only one; nullopt, with an error, if there is none.
-std::optional<View> like(const std::string& file, const std::string& name, Files& files, Diagnostics& diagnostics) {
+/// The only camera of a file, or the one with the given name if there are several. nullopt, with an error, if there is none.
+std::optional<View> camera_of_file(const std::string& file, const std::string& name, Files& files, Diagnostics& diagnostics) {
   Inputs inputs;
   inputs.files = {file};
   const std::optional<Calibration> calibration = read_models(inputs, files, diagnostics);
   if (!calibration) return std::nullopt;
   const std::vector<Camera>& cameras = calibration->rig.cameras;
-  const auto same = std::ranges::find(cameras, name, &Camera::name);
-  if (cameras.size() == 1) return as_rectified(calibration->rig, cameras.front());
-  if (same != cameras.end()) return as_rectified(calibration->rig, *same);
+  const auto namesake = std::ranges::find(cameras, name, &Camera::name);
+  if (cameras.size() == 1) return rectified_view_of(calibration->rig, cameras.front());
+  if (namesake != cameras.end()) return rectified_view_of(calibration->rig, *namesake);
   std::vector<std::string> names;
   names.reserve(cameras.size());
   for (const Camera& camera : cameras) names.push_back(camera.name);
@@ -61,24 +61,25 @@ std::optional<View> like(const std::string& file, const std::string& name, Files
   return std::nullopt;
 }
 
-/// The source fitted as that model. The new images are exactly those of the fitted camera, however large the fit's error is.
-std::optional<Camera> as_model(const RemapRequest& request, const ModelInfo& model, const Camera& source,
-                               Diagnostics& diagnostics) {
+/// Converts the source camera to a model. A large error of the fit does no harm: the new images are exactly those of the
+/// result. nullopt, with errors, if the conversion fails.
+std::optional<Camera> converted_source(const RemapRequest& request, const ModelInfo& model, const Camera& source,
+                                       Diagnostics& diagnostics) {
   ConvertOptions options;
   options.model = model.id;
   options.max_angle_rad = request.inputs.max_angle_rad;
   options.bound = false;
-  Diagnostics of_fit;
-  std::optional<Conversion> conversion = convert(source, options, of_fit);
-  for (const Diagnostic& entry : of_fit.entries()) {
+  Diagnostics found;
+  std::optional<Conversion> conversion = convert(source, options, found);
+  for (const Diagnostic& entry : found.entries()) {
     if (entry.severity == Severity::kError) diagnostics.add(entry);
   }
   if (!conversion) return std::nullopt;
   return std::move(conversion->camera);
 }
 
-/// The size of an equirectangular image: 2 : 1, with as many pixels per radian as the middle of the source image, within the
-/// size limit.
+/// The size of an equirectangular image: twice as wide as high, with as many pixels per radian as the middle of the source
+/// image, within the size limit.
 ImageSize equirectangular_size(const Camera& source) {
   const auto [f_u, f_v] = central_focal_lengths(source.model);
   const double height = std::round(std::numbers::pi * std::max(f_u, f_v));
@@ -86,12 +87,13 @@ ImageSize equirectangular_size(const Camera& source) {
   return {2 * rows, rows};
 }
 
-/// The camera of the new images; nullopt, with errors, if there is none.
+/// The camera of the new images, as the request chooses it. nullopt with errors.
 std::optional<View> view_of(const RemapRequest& request, const Camera& source, Files& files, Diagnostics& diagnostics) {
-  if (const auto* file = std::get_if<CameraOfFile>(&request.view)) return like(file->path, source.name, files, diagnostics);
+  if (const auto* file = std::get_if<CameraOfFile>(&request.view))
+    return camera_of_file(file->path, source.name, files, diagnostics);
   if (const auto* as = std::get_if<AsModel>(&request.view)) {
     const std::optional<Camera> camera =
-        as_model(request, as->model != nullptr ? *as->model : model_info(source.model), source, diagnostics);
+        converted_source(request, as->model != nullptr ? *as->model : model_info(source.model), source, diagnostics);
     return camera ? std::optional(View{*camera}) : std::nullopt;
   }
   Camera camera = source;
@@ -99,12 +101,12 @@ std::optional<View> view_of(const RemapRequest& request, const Camera& source, F
     if (pinhole->size) camera.image_size = pinhole->size;
     camera.model = pinhole_of_view(*camera.image_size, pinhole->full_fov_rad);
   }
-  if (const auto* all = std::get_if<EquirectangularView>(&request.view))
-    camera.image_size = all->size.value_or(equirectangular_size(source));
+  if (const auto* equirectangular = std::get_if<EquirectangularView>(&request.view))
+    camera.image_size = equirectangular->size.value_or(equirectangular_size(source));
   return View{camera};
 }
 
-/// Computes the map of the request into `result`; false with errors.
+/// Adds the cameras and the map of the request to `result`. False with errors.
 bool make_map(const RemapRequest& request, Files& files, RemapResult& result) {
   const std::optional<Camera> source = source_of(request, files, result.diagnostics);
   if (!source) return false;

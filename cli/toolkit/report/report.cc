@@ -12,8 +12,8 @@ namespace fca {
 
 namespace {
 
-/// Converts the cameras to another model, without a format.
-ConvertResult fitted(const ConvertRequest& request, const Reading& reading) {
+/// Converts the cameras to the request's model, without writing a format.
+ConvertResult converted_to_model(const ConvertRequest& request, const Reading& reading) {
   ConvertResult result;
   result.from = reading.calibration->format;
   result.diagnostics = reading.diagnostics;
@@ -33,7 +33,8 @@ ConvertResult fitted(const ConvertRequest& request, const Reading& reading) {
   return result;
 }
 
-std::vector<CheckResult> checked(const Inputs& inputs, const Calibration& calibration, Files& files) {
+/// Checks each file of the calibration.
+std::vector<CheckResult> check_results(const Inputs& inputs, const Calibration& calibration, Files& files) {
   std::vector<CheckResult> results;
   for (std::size_t i = 0; i < calibration.documents.size(); ++i) {
     CheckRequest check_request;
@@ -47,18 +48,19 @@ std::vector<CheckResult> checked(const Inputs& inputs, const Calibration& calibr
   return results;
 }
 
-/// Makes the conversion, if the request has one; false if there is nothing to report on.
-bool converted(const ConvertRequest& request, Files& files, ReportResult& result) {
+/// Makes the conversion if the request has one. False if it failed, so that there is no report.
+bool add_conversion(const ConvertRequest& request, Files& files, ReportResult& result) {
   if (request.to != nullptr || !request.into.empty()) {
     result.conversion = convert(request, files);
   } else if (request.model != nullptr) {
-    result.conversion = fitted(request, result.reading);
+    result.conversion = converted_to_model(request, result.reading);
   }
   if (result.conversion) result.status = result.conversion->status;
-  // A rejected conversion is worth a report; one that failed leaves nothing to show.
+  // A rejected conversion has results to report; a failed one has none.
   return result.status <= Status::kRejected;
 }
 
+/// The verdict on the converted files or, without a conversion to a format, the worst verdict on the input files.
 Verdict verdict_of(const ReportResult& result) {
   if (result.conversion && result.conversion->to != nullptr) return result.conversion->verdict;
   const auto worst =
@@ -89,7 +91,7 @@ ReportResult report(const ReportRequest& request, Files& files) {
     result.status = Status::kBadInput;
     return result;
   }
-  if (!converted(conversion, files, result)) return result;
+  if (!add_conversion(conversion, files, result)) return result;
   if (request.every_model) {
     auto models = compare_models(cameras, inputs.max_angle_rad, result.reading.diagnostics);
     if (!models) {
@@ -99,7 +101,7 @@ ReportResult report(const ReportRequest& request, Files& files) {
     }
     result.models = *std::move(models);
   }
-  result.checks = checked(inputs, *result.reading.calibration, files);
+  result.checks = check_results(inputs, *result.reading.calibration, files);
   result.verdict = verdict_of(result);
   return result;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything that the command does, as functions: read, convert, check, compare, report, remap, rectify, compare models, and
-// the paper's evaluation. Each takes a request of plain values, and gives a result of plain values; nothing is printed, and
-// only save() writes.
+// All of the library. It has a function for each thing that the command does: read, convert, check, compare, report, remap,
+// rectify, compare models, and repeat a paper's evaluation. Each function takes a request of plain values and returns a result
+// of plain values. The functions print nothing, and only save() writes files.
 #pragma once
 
 #include <fca/formats/text/message.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reasons against a file that a user overrules, as people type them.
+// Parses the words with which a user accepts reasons against a file.
 #pragma once
 
 #include <fca/formats/verdict_value.h>
@@ -10,13 +10,13 @@
 
 namespace fca {
 
-/// A code that was typed and, where the table has it, what it accepts.
+/// The result of parse_acceptance().
 struct TypedAcceptance {
-  std::string id;
-  std::optional<Acceptance> acceptance = {};  ///< Nothing: no code has that id.
+  std::string id;                             ///< The id that the user typed.
+  std::optional<Acceptance> acceptance = {};  ///< nullopt if no code has that id.
 };
 
-/// "CODE" or "CODE:CAMERA".
+/// Parses "CODE" or "CODE:CAMERA".
 [[nodiscard]] TypedAcceptance parse_acceptance(std::string_view word);
 
 }  // namespace fca

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is wrong with a calibration file, and what a program would be given instead of it.
+// Checks a calibration file, and converts it if a program needs another file instead.
 #pragma once
 
 #include <fca/formats/check.h>
@@ -11,26 +11,26 @@
 
 namespace fca {
 
-/// Of the inputs what says how a file is to be understood counts: format, image size, OpenCV model, largest angle. Every file
-/// is looked at as it stands.
+/// A check uses only those inputs that say how to read a file: format, image size, OpenCV model, largest angle. It ignores
+/// the other inputs.
 struct CheckRequest {
   Inputs inputs;
-  const consumers::Consumer* program = nullptr;  ///< The program that the file is meant for; null: the format's own.
-  std::vector<Code> ignored;                     ///< Findings with their ids are left out.
+  const consumers::Consumer* program = nullptr;  ///< The program that will read the file. Null: the format's own program.
+  std::vector<Code> ignored;                     ///< Findings with the ids of these codes are not reported.
 };
 
 struct CheckResult {
   text::Source source;
   CheckReport report;
-  /// What converting it gives: for a program that does not read its format, or where its own understands that better.
+  /// A conversion of the file, if the program does not read its format, or if its own program reads the converted file better.
   std::optional<ConvertResult> instead = {};
-  bool is_opened = true;  ///< False: the program that was asked about never opens such a file of its folder.
+  bool is_opened = true;  ///< False if the request's program never opens this file in its folder.
 };
 
-/// Checks one file. Files that it names as parts of it (CheckReport::parts) are checked by requests of their own.
+/// Checks one file. It does not check the files that this file names as its parts (CheckReport::parts).
 [[nodiscard]] CheckResult check(const CheckRequest& request, const text::Source& source, Files& files);
 
-/// The file with every fix that is certain (fca::fixed_source); nothing if there is none.
+/// The file with all certain fixes applied (fca::fixed_source). nullopt if there is nothing to fix.
 [[nodiscard]] std::optional<text::Source> with_fixes(const CheckRequest& request, const text::Source& source);
 
 }  // namespace fca

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A calibration converted to another format, and to another camera model if need be: read, fitted, written in memory, proven.
+// Converts a calibration to another format and, if necessary, to another camera model. The steps are: read the files, fit the
+// models, write the new files in memory, and prove what the programs read from them.
 #pragma once
 
 #include <fca/convert/parameter_range.h>
@@ -25,17 +26,18 @@
 
 namespace fca {
 
-/// One camera before and after. No report where nothing was computed (the model is kept and the image size unknown).
+/// One camera before and after the conversion.
 struct ConvertedCamera {
   Camera source;
   Camera target;
+  /// nullopt if nothing was computed, because the camera keeps its model and its image size is unknown.
   std::optional<ConversionReport> report;
-  std::string name_in_file = {};  ///< What the file written calls it; empty: as the input does.
-  Diagnostics found = {};         ///< Of its conversion.
+  std::string name_in_file = {};  ///< The camera's name in the written file. Empty: the same as in the input.
+  Diagnostics found = {};         ///< Diagnostics of this camera's conversion.
 
-  /// The written name.
+  /// The camera's name in the written file.
   [[nodiscard]] const std::string& name() const { return name_in_file.empty() ? source.name : name_in_file; }
-  /// The share of the image that the target does not reach; 0 where nobody notices.
+  /// The share of the image that the target model cannot represent. Unnoticeable shares (up to 0.05 %) are returned as 0.
   [[nodiscard]] double unrepresented_share() const {
     constexpr double kNoticeable = 5e-4;
     const double share = report ? report->statistics.coverage.unrepresentable : 0.0;
@@ -43,137 +45,143 @@ struct ConvertedCamera {
   }
 };
 
-/// A file that was made. Nothing is on the disk yet.
+/// A file of the result, in memory. Nothing is written to the disk.
 struct ConvertedFile {
-  std::string name;  ///< A proposal: "imu.yaml".
-  std::string path;  ///< Where it goes, as the request has it; empty: nowhere in particular.
+  std::string name;  ///< A proposed name: "imu.yaml".
+  std::string path;  ///< The path from ConvertRequest::path_of. Empty if that is not set.
   std::string bytes;
   text::Syntax syntax = text::Syntax::kYaml;
-  std::vector<std::string> cameras;   ///< Names of the cameras in it, as in the input.
-  std::vector<std::string> programs;  ///< Ids of the consumers that are meant to read it.
-  bool named = false;                 ///< Another of the files names it: it lies beside that one.
-  std::string place = {};             ///< In a folder of its program's own ("mav0/cam0/sensor.yaml"); empty: any name does.
-  bool of_defaults = false;           ///< It states nothing of the input.
+  std::vector<std::string> cameras;   ///< Names in the input of the cameras that the file contains.
+  std::vector<std::string> programs;  ///< Ids of the programs that will read the file.
+  bool named = false;                 ///< Another file of the result refers to this one and expects it in the same folder.
+  std::string place = {};             ///< Required relative path ("mav0/cam0/sensor.yaml"). Empty: any name will do.
+  bool of_defaults = false;           ///< The file contains only defaults, nothing of the input.
 
-  /// Does it only stand where its program looks for it?
+  /// True if the file exists only because a program expects a file of this name: it has no content of the input.
   [[nodiscard]] bool is_filler() const { return of_defaults && cameras.empty() && programs.empty(); }
 };
 
-/// A comment in the written file: its inputs, the conversion, its errors.
+/// Which files get a comment that describes their inputs, the conversion, and its errors.
 enum class ProvenanceComment : std::uint8_t { kInFreshFiles, kInAllFiles, kNone };
 
 struct ConvertResult;
 
-/// What there is a place for.
+/// The kinds of files for which the output has a place.
 struct OutputRoom {
-  bool camera_files = true;   ///< Several files with cameras; else more than one is an error.
-  bool named_files = true;    ///< Files that another one names; else they are an error.
-  bool further_files = true;  ///< Files without cameras (Kalibr's imu.yaml); else they are left out, as a loss.
-  /// Files that state nothing and that the program wants in its folder (COLMAP's images.txt); else they are left out.
+  bool camera_files = true;  ///< Several files with cameras. If false, more than one is an error.
+  bool named_files = true;   ///< Files to which another file refers. If false, such files are an error.
+  /// Files without cameras (Kalibr's imu.yaml). If false, they are left out and reported as losses.
+  bool further_files = true;
+  /// Files without content of the input that a program expects in its folder (COLMAP's images.txt). If false, they are left
+  /// out.
   bool fillers = true;
-  bool given_parts = true;  ///< A part of the input may be left out so; else that is an error.
+  /// If false, it is an error to leave out a file without cameras whose content comes from an additional part of the input.
+  bool given_parts = true;
 };
 
 struct ConvertRequest {
   Inputs inputs;
-  const Format* to = nullptr;  ///< Null: that of `into`.
-  /// Who is to read the files first, of those that read the format; null: the format's own program.
+  const Format* to = nullptr;  ///< Format of the files to write. Null: the format of `into`.
+  /// The most important of the programs that will read the files. Null: the format's own program.
   const consumers::Consumer* program = nullptr;
-  const ModelInfo* model = nullptr;    ///< Null: the input's, else the best that the format's own program reads.
-  std::optional<FormatMode> mode;      ///< Nothing: the richest that the input serves.
-  std::optional<FormatLayout> layout;  ///< Nothing: the base's, else the stock program's.
-  std::string into;                    ///< Path of the file whose text is edited; empty: none.
-  bool rewrite = false;                ///< A fresh file even where a text could be edited.
-  std::string extension;  ///< As in the written file's path, with its point. Formats with several syntaxes go by it.
+  const ModelInfo* model = nullptr;  ///< Null: the input's model or, if that cannot be kept, the best for the format's program.
+  std::optional<FormatMode> mode;    ///< nullopt: the mode that uses most of the input.
+  std::optional<FormatLayout> layout;  ///< nullopt: the layout of the file that is edited, else that of the format's program.
+  std::string into;                    ///< Path of an existing file whose text is edited. Empty: none.
+  bool rewrite = false;                ///< Write fresh files even if the text of an existing file could be edited.
+  std::string extension;  ///< Extension of the written file, with its dot. It selects the syntax if the format has several.
   Objective objective = Objective::kRms;
-  WeightKind weight = WeightKind::kPixel;         ///< Of Objective::kRms: what counts how much in a fit.
-  std::string weight_image;                       ///< Path of the image of WeightKind::kImage, as large as the new images.
-  std::shared_ptr<const GreyImage> density = {};  ///< That image; null: it is read.
-  std::optional<int> degree;  ///< Of a fitted polynomial (ocamcalib); nothing: the lowest that is nearly as good as any.
-  FixedParameters fixed;      ///< Of the fitted models.
-  bool absorb_turn = false;   ///< A turn of each camera is fitted, too, and written into its poses; for Objective::kRms.
-  bool fit_pair = false;  ///< A stereo pair is fitted together (fca/convert/pair_fit.h), turns included; for Objective::kRms.
-  bool every_pixel = false;  ///< Errors are those of every pixel, not of a lattice of about 5,000 points.
-  /// Also what no verdict depends on: errors if the lens ended earlier (ConversionReport::max_angles), and whether the input's
-  /// own program would refuse the input.
+  WeightKind weight = WeightKind::kPixel;  ///< The weights of the points in a fit, for Objective::kRms.
+  std::string weight_image;                ///< Path of the image for WeightKind::kImage. It has the size of the new images.
+  std::shared_ptr<const GreyImage> density = {};  ///< The image for WeightKind::kImage. Null: it is read from `weight_image`.
+  /// Degree of a fitted polynomial (ocamcalib). nullopt: the lowest degree that is nearly as good as any.
+  std::optional<int> degree;
+  FixedParameters fixed;     ///< Parameters that fits do not change.
+  bool absorb_turn = false;  ///< Also fit a rotation of each camera, and write it into the poses. For Objective::kRms.
+  /// Fit the cameras of a stereo pair together, with rotations (fca/convert/pair_fit.h). For Objective::kRms.
+  bool fit_pair = false;
+  bool every_pixel = false;  ///< Measure errors at every pixel instead of a lattice of about 5,000 points.
+  /// Also compute details on which no verdict depends: the errors if the lens ended at a smaller angle
+  /// (ConversionReport::max_angles), and whether the input's own program would refuse the input.
   bool in_detail = false;
-  /// ConvertOptions::errors_of_kept
-  bool errors_of_kept = true;
-  std::optional<double> frame_rate_hz;  ///< For formats that state it.
-  std::optional<double> baseline_m;     ///< Of a rectified pair or depth sensor.
-  std::vector<KeyValue> settings;       ///< Values of the written file that no calibration states.
-  std::optional<double> max_error_px;   ///< kRejected if a camera's largest error is more.
-  /// kRejected if a camera's error is anywhere more than so many standard deviations of the calibration's own pixels; of a
-  /// camera without a covariance a bad request.
+  bool errors_of_kept = true;           ///< See ConvertOptions::errors_of_kept.
+  std::optional<double> frame_rate_hz;  ///< Frame rate, for formats that store it.
+  std::optional<double> baseline_m;     ///< Baseline of a rectified pair or depth sensor.
+  std::vector<KeyValue> settings;       ///< Values for keys of the written file that are no part of a calibration.
+  std::optional<double> max_error_px;   ///< The status is kRejected if a camera's largest error exceeds this.
+  /// The status is kRejected if the error of a camera exceeds, at any pixel, this multiple of the pixel's standard deviation by
+  /// the calibration's own covariance. A camera without a covariance then makes the request invalid.
   std::optional<double> max_error_sigmas;
-  bool strict = false;  ///< kRejected if anything of the input is lost.
-  /// The cameras as arguments of the program's command line (Format::arguments), as one file in place of the others.
+  bool strict = false;  ///< The status is kRejected if anything of the input is lost.
+  /// Write the cameras as arguments of the program's command line (Format::arguments), in one file that replaces all others.
   bool as_arguments = false;
-  bool verify = true;                ///< The programs that read the files are asked about their bytes.
-  std::vector<Acceptance> accepted;  ///< Reasons against the file that do not stop it.
+  bool verify = true;                ///< Prove what the programs read from the written files.
+  std::vector<Acceptance> accepted;  ///< Reasons against the files that the user accepts.
   ProvenanceComment provenance = ProvenanceComment::kInFreshFiles;
-  std::string made_by;   ///< For that comment: the command or program that asks; empty: none.
-  std::size_t jobs = 0;  ///< Cameras at the same time; 0: as many as there are processors.
+  std::string made_by;   ///< The command or program that this comment names as the maker. Empty: none.
+  std::size_t jobs = 0;  ///< Number of cameras that are converted at the same time. 0: number of processors.
   OutputRoom room;
-  /// The path of a file of the result, for messages and for the file's `path`; null: files have none.
+  /// Returns the path of a file of the result, for messages and for ConvertedFile::path. Null: the files have no paths.
   std::function<std::string(const ConvertResult& result, std::size_t file)> path_of;
 };
 
-/// Another way to write the same, for the same program: how far it understands the worst camera.
+/// Another layout and model in which the same program reads the cameras, and the errors of what it reads.
 struct OtherWriting {
   std::string layout;
-  std::string model;  ///< Of all cameras.
-  double rms_px = 0.0;
-  double max_px = 0.0;
+  std::string model;    ///< The model of all cameras.
+  double rms_px = 0.0;  ///< Rms error of the camera that the program reads worst.
+  double max_px = 0.0;  ///< Largest error.
 };
 
-/// The same model fitted to less of the lens, where that is better for the program.
+/// A fit of the same model to a smaller part of the lens, where the program reads it better.
 struct NearerFit {
-  double max_angle_deg = 0.0;  ///< From the axis: all that the images' inscribed circles show.
-  double rms_px = 0.0;         ///< In the circles, of the worst camera.
+  double max_angle_deg = 0.0;  ///< Largest angle from the axis that is visible in the images' inscribed circles.
+  double rms_px = 0.0;         ///< Rms error of the worst camera inside these circles.
 };
 
-/// What came of it. Where `status` is neither kDone nor kRejected, only what was reached is set.
+/// The result of convert(). If `status` is neither kDone nor kRejected, the conversion stopped early, and only the members that
+/// it had set before are valid.
 struct ConvertResult {
   Status status = Status::kDone;
   const Format* from = nullptr;
-  bool one_format = true;  ///< False: `from` is the first file's, and others joined to it have another.
+  bool one_format = true;  ///< False if the input files have several formats. `from` is then the format of the first file.
   const Format* to = nullptr;
-  bool lens_given = false;  ///< By an angle or a circle: shares are of the lens.
+  bool lens_given = false;  ///< An angle or image circle limits the lens, and shares are shares of the lens, not of the image.
   std::vector<ConvertedCamera> cameras;
   std::vector<ConvertedFile> files;
-  std::vector<PoseEdge> poses;  ///< That the files state, between cameras by the input's names.
-  Message headline;             ///< Mode, who reads it, who does not.
-  std::string mode;             ///< That was written for.
-  std::string layout;  ///< That was chosen because the program understands it best; empty: asked for, or the usual one.
-  Verdict verdict;     ///< Whether to use the files.
-  std::vector<Finding> findings;     ///< What is wrong with the meaning of the input and of what was written.
-  double rms_px = 0.0;               ///< Of the camera that the program understands worst.
-  double max_px = 0.0;               ///< At the worst pixel of all.
-  std::optional<PairError> pair;     ///< Of the stereo pair among the written cameras, if there is one.
-  std::optional<NearerFit> nearer;   ///< Nobody asked for it.
-  std::vector<OtherWriting> others;  ///< Ways that were tried and are worse or, if one is asked for, better.
+  std::vector<PoseEdge> poses;      ///< The poses in the written files, with the cameras' names in the input.
+  Message headline;                 ///< The mode, the programs that read the files, and those that do not.
+  std::string mode;                 ///< The mode for which the files are written.
+  std::string layout;               ///< The layout, if it was chosen because the program reads it best. Otherwise empty.
+  Verdict verdict;                  ///< Whether to use the files.
+  std::vector<Finding> findings;    ///< Problems with the meaning of the input and of the written files.
+  double rms_px = 0.0;              ///< Rms error of the camera that the program reads worst.
+  double max_px = 0.0;              ///< Error at the worst pixel of all cameras.
+  std::optional<PairError> pair;    ///< Error of the stereo pair among the written cameras, if there is one.
+  std::optional<NearerFit> nearer;  ///< A fit to the inscribed circles that is much better there; the files do not contain it.
+  /// Alternatives that were tried: worse ones or, if the request fixes the layout or model, better ones.
+  std::vector<OtherWriting> others;
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
   std::vector<ProofResult> proofs;
-  std::vector<std::string> unproven;        ///< Paths of files that no known program reads; "" is a file without one.
-  std::vector<std::string> refused_before;  ///< Programs that refuse the file as they did before it was edited.
-  std::vector<CameraChoice> better_order;   ///< Of the cameras, where the first two are exchanged; empty: they are not.
+  std::vector<std::string> unproven;        ///< Paths of files that no known program reads; "" for a file without a path.
+  std::vector<std::string> refused_before;  ///< Programs that refuse the edited file, and refused it before the edit, too.
+  std::vector<CameraChoice> better_order;   ///< If the first camera should be the second: the right order. Otherwise empty.
   Diagnostics diagnostics;
 };
 
-/// The extension of a file that is to be written, with its point.
+/// The extension of a file of the result, with its dot.
 [[nodiscard]] std::string extension_of(const ConvertedFile& file, const Format& format);
-/// Is the extension (with its point) one that calibration files have?
+/// True if calibration files have this extension, which includes the dot.
 [[nodiscard]] bool is_calibration_extension(std::string_view extension);
-/// How many of the files hold cameras and have no name that another one gives them.
+/// The number of files that contain cameras and to which no other file refers.
 [[nodiscard]] std::size_t camera_files(const std::vector<ConvertedFile>& files);
 
-/// Why a request cannot be one for files of a format that has no such thing as what it states (a frame rate, a mode, a layout
-/// of another format): "option-without-use". None if it can.
+/// A message "option-without-use" if the request sets something that the format does not have (a frame rate, or the mode or
+/// layout of another format). An empty message otherwise.
 [[nodiscard]] Message without_use(const ConvertRequest& request, const Format& to);
 
-/// Never throws for bad input: the result's status and diagnostics tell.
+/// Converts the inputs of a request. It does not throw for bad input: the result's status and diagnostics describe the problem.
 [[nodiscard]] ConvertResult convert(const ConvertRequest& request, Files& files);
 
 }  // namespace fca

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a request's files come from.
+// Reads the files of a request.
 #pragma once
 
 #include <fca/diagnostics.h>
@@ -15,11 +15,11 @@
 
 namespace fca {
 
-/// Does a path stand for standard input?
+/// True if the path means standard input.
 [[nodiscard]] constexpr bool is_standard_input(std::string_view path) { return path == "-"; }
 
-/// The files of one request, from the disk or, where the two virtual functions are overridden, from elsewhere. It keeps what
-/// was read: diagnostics point into it. Not to be used by two threads at once.
+/// Reads the files of one request from the disk. A derived class that overrides the two virtual functions can read them from
+/// another place. The object keeps all texts that it has read, because diagnostics point into them. It is not thread-safe.
 class Files {
  public:
   Files() = default;
@@ -27,30 +27,31 @@ class Files {
   Files(const Files&) = delete;
   Files& operator=(const Files&) = delete;
 
-  /// A calibration file. "-" is read once, however often it is asked for: where fetch() takes it for standard input, as the
-  /// command's does. Nothing with an error "cannot-read".
+  /// Reads a calibration file. nullopt, with an error "cannot-read", if that fails. Standard input ("-", if fetch() supports
+  /// it) is read only once; later calls return the same text.
   [[nodiscard]] std::optional<text::Source> read(const std::string& path, Diagnostics& diagnostics);
-  /// An image, decoded. Nothing with an error.
+  /// Reads and decodes an image. nullopt, with an error, if that fails.
   [[nodiscard]] virtual std::optional<Image> read_image(const std::string& path, Diagnostics& diagnostics);
 
-  /// The document that such a text is. What is parsed once, here or in those that this knows of, is not parsed again.
+  /// Parses a text. nullopt, with errors, if that fails. A text that this object or one known to it has already parsed is not
+  /// parsed again.
   [[nodiscard]] std::optional<text::Document> parse(text::Source source, Diagnostics& diagnostics);
-  /// Takes over what the others have parsed.
+  /// Copies the parsed documents of another object, so that parse() does not parse them again.
   void know_documents_of(const Files& others) { parsed_ = others.parsed_; }
 
-  /// A text that was read otherwise, and into which diagnostics point, too.
+  /// Keeps a text that was read by other means, since diagnostics point into it.
   void remember(text::Source source) { sources_.push_back(std::move(source)); }
-  /// All that was read, in its order.
+  /// All texts, in the order in which they were read.
   [[nodiscard]] const std::vector<text::Source>& sources() const { return sources_; }
 
  protected:
-  /// The bytes of a file. By default those on the disk.
+  /// Returns the contents of a file; by default it reads the disk. nullopt, with an error, if that fails.
   [[nodiscard]] virtual std::optional<text::Source> fetch(const std::string& path, Diagnostics& diagnostics) const;
 
  private:
   struct Parsed {
     text::Document document;
-    Diagnostics said;
+    Diagnostics found;  ///< What the parser reported.
   };
 
   std::vector<text::Source> sources_;

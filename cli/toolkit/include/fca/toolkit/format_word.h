@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a format calls its modes ("stereo-inertial") and its layouts ("v1"). A request cannot hold any other word.
+// The names of a format's modes ("stereo-inertial") and layouts ("v1"). A FormatWord can only hold a name that its format has.
 #pragma once
 
 #include <fca/formats/format.h>
@@ -11,11 +11,11 @@
 
 namespace fca {
 
-/// One of the words in a list of its format.
+/// A word from one of the lists of a format: kWords is the list, Format::modes or Format::layouts.
 template <std::span<const std::string_view> Format::*kWords>
 class FormatWord {
  public:
-  /// Nothing of a word that the format does not have.
+  /// Finds the word in the list of the format. nullopt if the list does not contain it.
   [[nodiscard]] static std::optional<FormatWord> find(const Format& format, std::string_view word) {
     const auto found = std::ranges::find(format.*kWords, word);
     return found == (format.*kWords).end() ? std::nullopt : std::optional(FormatWord(format, *found));
@@ -34,7 +34,7 @@ class FormatWord {
 using FormatMode = FormatWord<&Format::modes>;
 using FormatLayout = FormatWord<&Format::layouts>;
 
-/// Its name; empty: there is none.
+/// The name of the word. Empty if there is no word.
 template <class Word>
 [[nodiscard]] std::string_view name_of(const std::optional<Word>& word) {
   return word ? word->name() : std::string_view();

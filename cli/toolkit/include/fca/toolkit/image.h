@@ -11,8 +11,8 @@
 
 namespace fca {
 
-/// An image with the samples that its file has: 1 (grey), 3 (blue, green, red) or 4 channels (and opacity); rows from the top,
-/// without gaps.
+/// An image with the sample type of its file. It has 1 channel (grey), 3 channels (blue, green, red) or 4 channels (blue,
+/// green, red, opacity). `bytes` contains the rows from the top, without gaps, with the channels of a pixel next to each other.
 struct Image {
   enum class Sample : std::uint8_t { k8Bit, k16Bit, kFloat };
   int width = 0;
@@ -22,11 +22,11 @@ struct Image {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Larger ones are not read: a few hundred bytes of PNG can be gigabytes of black.
+/// The largest number of pixels of an image that is read. A black PNG of a few hundred bytes can have gigabytes of pixels.
 inline constexpr std::int64_t kMostPixels = 1LL << 27U;
 
-/// An error, with how to fix it, unless the image is of the size for which the camera is known. `changed`: that is not the
-/// calibrated one (cropped, binned or resized).
+/// True if the image has the camera's image size, which must be known. If not, adds an error with a remedy. `changed`: the
+/// camera is already that of changed images (cropped, binned or resized); this decides the remedy.
 [[nodiscard]] bool has_size_of(const Camera& camera, bool changed, const Image& image, const std::string& path,
                                Diagnostics& diagnostics);
 

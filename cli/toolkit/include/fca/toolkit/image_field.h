@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A number for every cell of a grid over an image: the error of a conversion, or the angle from the axis.
+// Computes a number for every cell of a grid over an image: the error of a conversion, or the angle from the axis.
 #pragma once
 
 #include <fca/convert/report.h>
@@ -11,16 +11,18 @@
 
 namespace fca {
 
-/// Was a cell scored? The parts are those of Coverage (fca/convert/report.h).
+/// Whether a cell was scored, and why not. The values are the parts of Coverage (fca/convert/report.h).
 enum class Part : std::uint8_t { kScored, kOutsideLens, kUnrepresentable };
 
+/// A grid of cells over an image, and the value of each cell.
 struct ImageField {
-  ImageSize image;
+  ImageSize image;  ///< Size of the image.
   int columns = 0;
   int rows = 0;
-  std::vector<double> values;  ///< Row by row from the top; not a number where the cell was not scored.
+  std::vector<double> values;  ///< Row by row from the top. NaN if the cell was not scored.
   std::vector<Part> parts;
 
+  /// The index of a cell in `values` and `parts`.
   [[nodiscard]] std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * columns + column); }
   /// The pixel in the middle of a cell.
   [[nodiscard]] Pixel pixel(int column, int row) const {
@@ -28,20 +30,20 @@ struct ImageField {
   }
 };
 
-/// The largest number of cells along the longer side of the image. Contours need fewer than pictures: their lines are
-/// interpolated.
+/// The largest number of cells along the longer side of the image, for pictures and for contours. Contours need fewer cells,
+/// because their lines are interpolated between cells.
 inline constexpr int kPictureCells = 512;
 inline constexpr int kContourCells = 144;
 
-/// The error in pixels at each cell: the distance between its pixel and target(ray of the pixel in `source`). `limit_rad`: the
-/// angle at which the lens ends, if the caller gave one; `max_angle_rad`: cells further from the axis count as
-/// kUnrepresentable; `rotation`: takes the source's rays to the target's; null: they have the same frame. Nothing where the
-/// camera has no image size or sees nothing of it.
+/// The error [px] of each cell: the distance between the cell's pixel and the pixel to which `target` projects the ray of this
+/// pixel in `source`. `limit_rad`: the angle from the axis at which the lens ends; nullopt: it fills the image.
+/// `max_angle_rad`: cells at larger angles from the axis are kUnrepresentable. `rotation`: maps rays of the source to rays of
+/// the target; null: both cameras have the same frame. nullopt if the camera has no image size or no field of view.
 [[nodiscard]] std::optional<ImageField> error_field(const Camera& source, const CameraModel& target,
                                                     std::optional<double> limit_rad, double max_angle_rad, int most_cells,
                                                     const Transform* rotation = nullptr);
 
-/// The angle of each cell's ray from the axis, in degrees.
+/// The angle [deg] of each cell's ray from the axis. `limit_rad`, and when the result is nullopt: as for error_field().
 [[nodiscard]] std::optional<ImageField> angle_field(const Camera& camera, std::optional<double> limit_rad, int most_cells);
 
 /// The error at one angle from the axis, over all azimuths whose pixels are in the image.
@@ -50,17 +52,18 @@ struct ProfilePoint {
   double rms_px = 0.0;
   double max_px = 0.0;
 };
-/// The profile from the axis to `max_angle_rad`, without angles that no pixel of the image has. `rotation`: takes rays in the
-/// source's frame to the target's; null: both have the same frame.
+/// The profile from the axis to `max_angle_rad`, without angles that no pixel of the image has. `rotation`: as for
+/// error_field().
 [[nodiscard]] std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel& target, double max_angle_rad,
                                                       const Transform* rotation = nullptr);
 
-/// The distance of the pixels of one angle from the principal point, in pixels: the mean over all azimuths.
+/// The image radius of an angle: the distance [px] between the principal point and the pixels of rays at this angle from the
+/// axis, averaged over all azimuths.
 struct RadiusPoint {
   double angle_deg = 0.0;
   double radius_px = 0.0;
 };
-/// From the axis up to `to_rad`, or to the angle at which the model ends.
+/// The image radius from the axis up to the angle `to_rad`, or up to the angle at which the model ends.
 [[nodiscard]] std::vector<RadiusPoint> radius_curve(const CameraModel& model, double to_rad);
 
 }  // namespace fca

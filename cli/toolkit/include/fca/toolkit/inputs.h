@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a request reads: the files of one calibration, and how they are to be understood.
+// The inputs of a request: the files of one calibration, and options that say how to read them.
 #pragma once
 
 #include <fca/formats/calibration.h>
@@ -15,74 +15,77 @@
 
 namespace fca {
 
-/// A camera of a calibration: the one of that name or, if there is none, the one at that place, counted from 0.
+/// Chooses a camera of a calibration by name or, if no camera has that name, by its index `place`, which starts at 0.
 struct CameraChoice {
   std::string name;
   std::optional<std::size_t> place = {};
 };
 
-/// An image that a camera took. No camera: the calibration's only one.
+/// A sample image. `camera`: name of the camera that took it; empty: the calibration's only camera.
 struct CameraImage {
   std::string camera;
   std::string path;
 };
 
-/// What the numbers of an IMU's noise are, where they are no continuous-time densities.
+/// The meaning of the noise values of an IMU in the input files.
 enum class NoiseKind : std::uint8_t {
-  kContinuous,
+  kContinuous,        ///< Continuous-time noise densities.
   kDiscrete,          ///< Standard deviations of single samples.
   kVariance,          ///< Squares of densities.
   kDiscreteVariance,  ///< Squares of standard deviations of single samples.
 };
 
 struct Inputs {
-  std::vector<std::string> files;                    ///< Paths; several are the cameras of one rig, in this order.
-  std::vector<std::string> parts;                    ///< Paths of further parts of the calibration (imu.yaml).
-  const Format* format = nullptr;                    ///< Of the files; null: found by their content.
-  std::optional<std::vector<CameraChoice>> cameras;  ///< These alone, in this order; nothing: all.
-  std::optional<ImageSize> image_size;               ///< For files that do not state one.
-  std::optional<OpenCvModel> opencv_model;           ///< For files that could be either.
-  ImageChange change;                                ///< From the calibrated images to those that the cameras are for.
-  std::optional<double> max_angle_rad;               ///< What counts as lens, from the axis; nothing: the whole image.
-  std::vector<CameraImage> lens_circles;             ///< What counts as lens: the image circle that these images show.
-  std::optional<double> length_unit_m;               ///< Of translations in files that do not state their unit; none: metres.
-  std::optional<double> imu_rate_hz;                 ///< For files that do not state it.
-  std::optional<NoiseKind> imu_noise;                ///< Of the input.
-  bool join = false;                                 ///< Several files, or one that is written as one of several.
+  std::vector<std::string> files;                    ///< Paths. Several files contain the cameras of one rig, in this order.
+  std::vector<std::string> parts;                    ///< Paths of additional parts of the calibration (imu.yaml).
+  const Format* format = nullptr;                    ///< Format of the files. Null: detected from their content.
+  std::optional<std::vector<CameraChoice>> cameras;  ///< Only these cameras are read, in this order. nullopt: all cameras.
+  std::optional<ImageSize> image_size;               ///< Image size for files that do not contain one.
+  std::optional<OpenCvModel> opencv_model;           ///< Lens model for OpenCV files whose model is ambiguous.
+  ImageChange change;                                ///< A change of the images (crop, binning, resize) after calibration.
+  std::optional<double> max_angle_rad;    ///< Angle from the axis at which the lens ends. nullopt: it fills the image.
+  std::vector<CameraImage> lens_circles;  ///< Sample images whose image circle is the border of the lens.
+  std::optional<double> length_unit_m;    ///< Unit of translations in files without a unit. nullopt: 1 m.
+  std::optional<double> imu_rate_hz;      ///< IMU rate for files that do not contain it.
+  std::optional<NoiseKind> imu_noise;     ///< Meaning of the IMU noise values in the files.
+  bool join = false;                      ///< The files contain cameras of one rig; may also be set for one of its files.
 };
 
-/// Reads one calibration: its files and their parts, reduced to the chosen cameras, for the changed images. Nothing with
-/// errors.
+/// Reads the files and parts of one calibration, keeps the chosen cameras, and applies the change of the images. nullopt, with
+/// errors, if that fails.
 [[nodiscard]] std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, Diagnostics& diagnostics);
-/// The same for who asks its cameras for pixels and rays: nothing, with an error, where one is known by rays alone.
+/// Like read_calibration(), for callers that need camera models: nullopt, with an error, also if a camera is only known by a
+/// table of rays.
 [[nodiscard]] std::optional<Calibration> read_models(const Inputs& inputs, Files& files, Diagnostics& diagnostics);
-/// The first in two steps: as the files state it, and with what the inputs ask for beside the files. False with errors.
+/// The first step of read_calibration(): reads the files without applying the choices of the inputs. nullopt with errors.
 [[nodiscard]] std::optional<Calibration> read_as_stated(const Inputs& inputs, Files& files, Diagnostics& diagnostics);
+/// The second step of read_calibration(): applies the choice of cameras, lens circles, change of images, and IMU options. False
+/// with errors.
 [[nodiscard]] bool apply_choices(const Inputs& inputs, Files& files, Calibration& calibration, Diagnostics& diagnostics);
 
-/// Of a few files of which one alone holds cameras, that one, the others as its parts ("camchain.yaml imu.yaml"); of any other
-/// files the inputs as they are. The files are read.
+/// If exactly one of two to four files contains cameras, moves the other files to the parts ("camchain.yaml imu.yaml").
+/// Otherwise returns the inputs unchanged. Reads the files.
 [[nodiscard]] Inputs with_parts_recognised(const Inputs& inputs, Files& files);
 
-/// The files of a folder that is one rig: EuRoC's (mav0 with cam0/sensor.yaml, ..., or the folder that holds it), Kimera-VIO's
-/// (LeftCameraParams.yaml, ...). Cameras first; empty of any other path.
+/// The files of a folder that contains one rig, cameras first. It can be a EuRoC folder (mav0, with cam0/sensor.yaml, ..., or
+/// the folder that contains mav0) or a Kimera-VIO folder (LeftCameraParams.yaml, ...). Empty for any other path.
 [[nodiscard]] std::vector<std::string> rig_files_in(const std::string& folder);
 
-/// What people call the path: of a folder that is one rig the folder that they know it by (mav0's own), else the path.
+/// The name by which people know a rig: for a EuRoC folder mav0 the folder that contains it, otherwise the path itself.
 [[nodiscard]] std::string rig_name(const std::string& path);
 
-/// The files of a folder that is a COLMAP model, with more than its cameras: that with the cameras, then that with the rigs, if
-/// it is there. Of cameras.bin and cameras.txt it is the one that COLMAP reads. Empty of any other path.
+/// The files of a folder that contains a COLMAP model: the file of cameras, then the file of rigs if it exists. Empty for any
+/// other path, and for a folder that only contains a file of cameras. For cameras.bin and cameras.txt see cameras_file_in().
 [[nodiscard]] std::vector<std::string> model_files_in(const std::string& folder);
 
-/// The file of cameras in a folder, alone or not: of COLMAP's cameras.bin and cameras.txt the one that COLMAP reads. Nothing of
-/// any other path.
+/// COLMAP's file of cameras in a folder. If both cameras.bin and cameras.txt exist, it is the one that COLMAP reads. nullopt
+/// for any other path.
 [[nodiscard]] std::optional<std::string> cameras_file_in(const std::string& folder);
 
-/// As the readers of formats take them.
+/// The options for the readers of formats.
 [[nodiscard]] ReadOptions read_options(const Inputs& inputs);
 
-/// "continuous", "discrete", "variance", "discrete-variance".
+/// The name in options and messages: "continuous", "discrete", "variance" or "discrete-variance".
 [[nodiscard]] std::string_view name_of(NoiseKind kind);
 
 }  // namespace fca

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What converting between two formats keeps, fits, drops and makes up: from the registry, for the README.
+// Lists, for each pair of formats, what a conversion keeps, fits, drops and fills with defaults. The lists follow from the
+// table of formats; they are for the documentation.
 #pragma once
 
 #include <fca/formats/format.h>
@@ -9,25 +10,26 @@
 
 namespace fca {
 
-/// A model of the source in the target.
+/// A model of the source format, and how the target format stores it.
 struct LedgerModel {
-  std::string_view model;                   ///< Its id.
-  std::string_view as = {};                 ///< The target's model that contains it and that it becomes; empty: it stays.
-  std::vector<ParameterRange> limits = {};  ///< Where the target demands more of its parameters than the source.
+  std::string_view model;                   ///< Id of the source's model.
+  std::string_view as = {};                 ///< Id of the target's model that contains it. Empty: the model is kept.
+  std::vector<ParameterRange> limits = {};  ///< Ranges of parameters that only the target requires.
   bool operator==(const LedgerModel&) const = default;
 };
 
-/// A pair of formats. Facts and values are clauses.
+/// A conversion between two formats. `dropped` and `defaulted` are clauses of sentences.
 struct LedgerRow {
   const Format* from = nullptr;
   const Format* to = nullptr;
-  std::vector<LedgerModel> exact;   ///< Models whose numbers stay: within the limits or, as another model, beyond them.
-  std::vector<LedgerModel> fitted;  ///< Models that the target does not have, or not beyond the limits.
-  std::vector<Message> dropped;     ///< Facts that it has no place for.
-  std::vector<Message> defaulted;   ///< Values that it demands and the source does not state.
+  /// Models that are converted without a fit: kept within `limits`, or as the target's model `as` that contains them.
+  std::vector<LedgerModel> exact;
+  std::vector<LedgerModel> fitted;  ///< Models that are fitted: the target lacks them, or cannot store them beyond `limits`.
+  std::vector<Message> dropped;     ///< Facts that the target cannot store.
+  std::vector<Message> defaulted;   ///< Values that the target requires and the source does not contain.
 };
 
-/// All ordered pairs of different formats, by the stock programs' models.
+/// One row for each ordered pair of a format that is read and a different format that is written.
 [[nodiscard]] std::vector<LedgerRow> ledger();
 
 }  // namespace fca

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every model that a camera could be written as, what that costs, and who reads it.
+// Fits every camera model to a camera, and lists the error of each model and the formats that store it.
 #pragma once
 
 #include <fca/convert/convert.h>
@@ -17,49 +17,51 @@ namespace fca {
 /// A format that stores a model.
 struct StoringFormat {
   std::string name;
-  Code demands =
-      {};  ///< Why the camera's numbers are fitted again for the format, a clause; kNone: it stores these very numbers.
+  /// Why the format cannot store these parameters, so that a conversion fits the model again. kNone: it can store them.
+  Code demands = {};
   bool operator==(const StoringFormat&) const = default;
 };
 
-/// A model fitted to the inscribed circle of a wide lens alone.
+/// A model of a wide lens that is fitted only inside the image's inscribed circle.
 struct CircleFit {
-  double max_angle_deg = 0.0;  ///< Of the fit: all that the circle shows.
-  PixelDistance distance;      ///< In the circle.
+  double max_angle_deg = 0.0;  ///< Largest angle from the axis that is visible in the circle. The fit ends there.
+  PixelDistance distance;      ///< The distance between the camera and the fitted model inside the circle.
 };
 
-/// One model as a camera's target. No conversion: it cannot describe the camera, `diagnostics` say why.
+/// One model, and the camera's conversion to it.
 struct Candidate {
   const ModelInfo* model = nullptr;
-  std::optional<Conversion> conversion;  ///< To the whole lens.
-  CameraDistance distance = {};          ///< From the camera to the model of that conversion.
-  std::optional<CircleFit> in_circle;    ///< Where it is better there: beyond the circle it is worse.
+  std::optional<Conversion> conversion;  ///< The fit to the whole lens. nullopt if it fails; `diagnostics` contain the reason.
+  CameraDistance distance = {};          ///< The distance between the camera and the model of that conversion.
+  std::optional<CircleFit> in_circle;    ///< A fit that is better inside the inscribed circle, but worse beyond it.
 
-  /// By which models are ranked: of a lens wider than 120 deg the circle about the middle of the image decides, not its
-  /// corners.
+  /// The distance that ranks the models. If the lens is wider than 120 deg, it is that inside the image's inscribed circle: the
+  /// corners of the image do not decide.
   [[nodiscard]] const PixelDistance& decisive() const { return in_circle ? in_circle->distance : distance.decisive(); }
-  std::vector<StoringFormat> stored_by;
+  std::vector<StoringFormat> stored_by;  ///< The formats that store the model.
   Diagnostics diagnostics;
 };
 
-/// Does the model, which could be fitted, reach all of the region that decides?
+/// True if the model covers the whole region that decides the ranking. The candidate must have a conversion.
 [[nodiscard]] bool reaches_all(const Candidate& candidate);
 
-/// The candidates that could be fitted, by their error in the region that decides; those that do not reach all of it last.
+/// The candidates that have a conversion: exact ones first, then by increasing rms in the region that decides, and last those
+/// that do not cover all of this region.
 [[nodiscard]] std::vector<const Candidate*> ranked(const std::vector<Candidate>& candidates);
 
-/// All models, in the order of the list.
+/// Fits every model to the camera, in the order of all_models(). `max_angle_rad`: the angle from the axis at which the lens
+/// ends; nullopt: the whole image.
 [[nodiscard]] std::vector<Candidate> candidates(const Camera& camera, std::optional<double> max_angle_rad);
 
-/// The candidate to take: the camera's own model if it is exact, else the best of those that nobody would notice as a fit to
-/// the whole lens, else the first that is ranked. Of those that the stock program of `format` reads, if one is given. Null
-/// where there is none.
+/// The candidate to use: the camera's own model if it is exact, else the best of the fits to the whole lens with unnoticeable
+/// errors, else the best of all. If `format` is not null, only models that the format's own program reads are considered. Null
+/// if there is no such candidate.
 [[nodiscard]] const Candidate* recommended(const std::vector<Candidate>& candidates, const Format* format);
 
-/// The same among all but `other`.
+/// The candidate to use if `other` is excluded. Null if there is none.
 [[nodiscard]] const Candidate* recommended_beside(const std::vector<Candidate>& candidates, const Candidate& other);
 
-/// Every model beside the others, for each camera of a calibration.
+/// All models of each camera of a calibration.
 struct ModelsResult {
   struct OfCamera {
     Camera camera;
@@ -70,10 +72,11 @@ struct ModelsResult {
   Diagnostics diagnostics;
 };
 
-/// What each camera of a calibration would be as every model.
+/// Reads a calibration and fits every model to each of its cameras.
 [[nodiscard]] ModelsResult compare_models(const Inputs& inputs, Files& files);
 
-/// The same of cameras that were read. Nothing with errors where one has no part of its image to compare over.
+/// Fits every model to each camera. nullopt, with errors, if a camera has no field of view over which models could be
+/// compared.
 [[nodiscard]] std::optional<std::vector<ModelsResult::OfCamera>> compare_models(const std::vector<Camera>& cameras,
                                                                                 std::optional<double> max_angle_rad,
                                                                                 Diagnostics& diagnostics);

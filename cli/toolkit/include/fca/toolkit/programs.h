@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one program reads from a file: would it load it, which cameras does it see, and how far are they from what the file
-// means?
+// Reports what a program reads from a file: whether it loads the file, which cameras it reads, and how far these are from the
+// file's meaning.
 #pragma once
 
 #include <fca/formats/calibration.h>
@@ -19,26 +19,28 @@ namespace fca {
 
 /// The ids of all programs, as find_program() takes them.
 [[nodiscard]] std::vector<std::string> program_ids();
-/// The program of that id or of a name that people know it by (fca/formats/program_names.h), in any case; null if there is
-/// none.
+/// Finds a program by its id, by its format, or by a name that people use (fca/formats/program_names.h), in upper or lower
+/// case. Null if there is none.
 [[nodiscard]] const consumers::Consumer* find_program(std::string_view typed);
-/// The same program's reader of files with cameras, or of those without: Kalibr and OpenVINS have two.
+/// A program's reader of files with cameras, or of files without cameras. Kalibr and OpenVINS have one reader for each.
 [[nodiscard]] const consumers::Consumer& reader_of(const consumers::Consumer& program, bool with_cameras);
 
+/// The result of ask_program().
 struct ProgramReading {
-  /// The program's modes that come to the same, and what they come to.
+  /// Modes of the program that read the same from the file.
   struct Mode {
-    std::vector<std::string> names;  ///< Empty: the program has none.
-    ProofResult proof;
-    Verdict verdict;  ///< Whether to use the file so.
+    std::vector<std::string> names;  ///< Names of the modes. Empty: the program has no modes.
+    ProofResult proof;               ///< What the program reads in these modes.
+    Verdict verdict;                 ///< Whether to use the file in these modes.
   };
   const consumers::Consumer* program = nullptr;
-  bool reads_format = true;
-  std::vector<Mode> modes;  ///< Empty where it does not read the format.
+  bool reads_format = true;  ///< False if the program does not read the file's format.
+  std::vector<Mode> modes;   ///< Empty if the program does not read the format.
 };
 
-/// Asks a program, in each of its modes, about the file of the calibration that states the cameras (else the first).
-/// `inputs`: what counts as lens, and which of OpenCV's models its files' numbers are of. `findings`: about the file's meaning.
+/// Determines what a program reads, in each of its modes, from the calibration's file with cameras (from the first file, if
+/// none has cameras). `inputs`: the options with which the calibration was read. `findings`: the findings of a check of the
+/// file, for the verdict.
 [[nodiscard]] ProgramReading ask_program(const consumers::Consumer& program, const Calibration& calibration,
                                          const Inputs& inputs, std::span<const Finding> findings = {});
 

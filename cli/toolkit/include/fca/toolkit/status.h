@@ -8,18 +8,18 @@
 
 namespace fca {
 
-/// How a request ended. Of several, the worst is the last.
+/// The outcome of a request. The values are in order: later ones are worse.
 enum class Status : std::uint8_t {
   kDone,
-  kRejected,    ///< Done, and the result is not good enough: a limit is exceeded, a program refuses it, something is lost.
-  kBadInput,    ///< A file is no calibration, or not one that serves.
-  kBadRequest,  ///< The request asks for what cannot be, whatever the files are, or names what they do not hold.
+  kRejected,    ///< Done, but the result is not good enough: it exceeds a limit, a program refuses it, or something is lost.
+  kBadInput,    ///< A file is not a calibration, or lacks something that the request needs.
+  kBadRequest,  ///< The request is impossible for any files, or names something that the files do not contain.
   kUnreadable,  ///< A file cannot be opened.
 };
 
 [[nodiscard]] constexpr Status worse(Status a, Status b) { return std::max(a, b); }
 
-/// kDone without errors; kBadInput with them, unless their codes say something else.
+/// The status that follows from the errors: kDone if there are none, kUnreadable or kBadRequest for some codes, else kBadInput.
 [[nodiscard]] Status status_of(const Diagnostics& diagnostics);
 
 }  // namespace fca

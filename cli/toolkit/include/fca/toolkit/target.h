@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a conversion is for, by the name that people type.
+// Finds the target of a conversion by the name that people type.
 #pragma once
 
 #include <fca/formats/consumers/consumer.h>
@@ -14,12 +14,13 @@ namespace fca {
 
 struct Target {
   const Format* format = nullptr;
-  const consumers::Consumer* program = nullptr;  ///< Who is to read the files; null: the format's own.
-  std::optional<FormatLayout> layout = {};       ///< Of that program; nothing: the usual one.
-  std::string extension = {};                    ///< With its point, where it chooses the syntax; empty: the usual one.
+  const consumers::Consumer* program = nullptr;  ///< The program that will read the files. Null: the format's own program.
+  std::optional<FormatLayout> layout = {};       ///< The layout that this program reads. nullopt: the usual one.
+  std::string extension = {};                    ///< With its dot, if it chooses the syntax. Empty: the usual one.
 };
 
-/// A format's id, or a program that one serves ("vins-fusion"), in any case. Nothing of any other name.
+/// Finds a target by the id of a format or by the name of a program that reads a format ("vins-fusion"), in upper or lower
+/// case. nullopt for any other name.
 [[nodiscard]] std::optional<Target> find_target(std::string_view name);
 
 }  // namespace fca
