@@ -37,7 +37,8 @@ std::optional<double> inverse_distance_px(const Calibration& reference, const Ca
       const auto a = reference_camera.project(*ray);
       const auto b = other_camera.project(*ray);
       if (a && b) worst = std::max(worst, std::hypot((*a)[0] - (*b)[0], (*a)[1] - (*b)[1]));
-      if (a.has_value() != b.has_value()) worst = std::hypot(reference_camera.width, reference_camera.height);
+      // A pixel that one of them lacks counts as the image's diagonal.
+      if (a.has_value() != b.has_value()) worst = std::max(worst, std::hypot(reference_camera.width, reference_camera.height));
     }
   }
   return worst;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "models/best_first.h"
 #include "models/model_advice.h"
 
 #include <fca/code.h>
@@ -100,7 +101,7 @@ std::vector<const Candidate*> ranked(const std::vector<Candidate>& candidates) {
   const auto comes_first = [&](const Candidate* a, const Candidate* b) {
     return is_ranked_by_error(*a) && is_ranked_by_error(*b) ? a->decisive().rms < b->decisive().rms : is_better_choice(*a, *b);
   };
-  std::ranges::stable_sort(result, comes_first);
+  put_best_first(result, comes_first);
   return result;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model_advice.h"
 
+#include "best_first.h"
+
 #include <fca/code.h>
 #include <fca/convert/max_angle_table.h>
 
@@ -67,7 +69,7 @@ std::vector<ConversionReport> better_conversions(const Camera& camera, const Con
     if (report && is_better(*report, than) && report->statistics.error.rms <= kUsableError)
       result.push_back(*std::move(report));
   }
-  std::ranges::stable_sort(result, is_better);
+  put_best_first(result, is_better);
   return result;
 }
 

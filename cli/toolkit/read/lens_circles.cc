@@ -170,8 +170,9 @@ bool remove_contradicting(const Camera& camera, std::vector<std::string>& paths,
   }
   std::optional<SearchedCamera> repeated = search_images(camera, rest, change, files, diagnostics);
   if (!repeated) return false;
+  if (!repeated->camera.lens_circle) return true;  // the others are needed to see the circle
   paths = std::move(rest);
-  if (repeated->camera.lens_circle) searched = *std::move(repeated);
+  searched = *std::move(repeated);
   return true;
 }
 
