@@ -144,7 +144,7 @@ std::optional<Camera> read_camera(const text::Document& document, const ReadOpti
   }
   fields::Reader reader(document, text::Dialect::kPyYaml, diagnostics);
   const Node* first = first_line(document);
-  const Node* gap = nullptr;  ///< An empty line behind a ray: at the end it says nothing.
+  const Node* gap = nullptr;  ///< An empty line after a ray: at the end it says nothing.
   for (const Node& line : document.root().items) {
     if (line.items.empty() && !camera.rays.empty()) gap = &line;
     if (line.items.empty() || line.tag == text::kCommentTag) continue;

@@ -41,7 +41,7 @@ class ImageCheck {
     return true;
   }
 
-  /// Numbers of one resolution beside the size of another: the centre is off by the same factor along both sides.
+  /// Numbers of one resolution next to the size of another: the centre is off by the same factor along both sides.
   bool check_scaled() {
     const double across = u_ / (0.5 * (size_.width - 1));
     const double down = v_ / (0.5 * (size_.height - 1));

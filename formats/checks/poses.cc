@@ -142,7 +142,7 @@ SourceRange place_of_pair(const Subject& subject) {
   return subject.places.pose(static_cast<std::size_t>(stated - rig.poses.begin()), 0, 3);
 }
 
-/// The first camera is the left one, and the second beside it: ORB-SLAM looks for disparities along rows, to one side only.
+/// The first camera is the left one, and the second next to it: ORB-SLAM looks for disparities along rows, to one side only.
 /// Fisheyes (kb4) are matched in the images as they are, by descriptors.
 void check_stereo_order(const Subject& subject, Findings& findings) {
   const Rig& rig = subject.rig();

@@ -42,7 +42,7 @@ std::optional<ClaimedPair> claimed_pair(const Subject& subject) {
   return pair;
 }
 
-/// About the axis and of the axis, as one rotation behind the other (swing and twist).
+/// About the axis and of the axis, as one rotation after the other (swing and twist).
 void check_turn(const ClaimedPair& pair, const FindPlace& where, Findings& findings) {
   constexpr double kTurned = 60.0;  // deg
   const Quaternion q = quaternion_of(pair.T_second_first);

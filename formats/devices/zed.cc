@@ -49,7 +49,7 @@ std::string upper(std::string text) {
 
 struct Value {
   std::string key;  ///< In upper case.
-  Node number;      ///< What stands behind "=".
+  Node number;      ///< What stands after "=".
 };
 
 struct Section {

@@ -23,7 +23,7 @@ class Editor {
   /// Are the cameras other ones, or in another order?
   [[nodiscard]] bool other_cameras() const;
 
-  /// Blocks can be added and removed where they are blocks, and nothing beside them speaks of cameras by name.
+  /// Blocks can be added and removed where they are blocks, and nothing next to them speaks of cameras by name.
   [[nodiscard]] bool possible() const;
 
   /// `overlaps`: cam_overlaps of every camera of the rig, if it is known; for those that the base does not have.

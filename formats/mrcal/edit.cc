@@ -55,7 +55,7 @@ const Node* lens_node(const Node& root, std::string_view& key) {
   return nullptr;
 }
 
-/// The new pose beside those numbers of the old one that state the same.
+/// The new pose next to those numbers of the old one that state the same.
 std::array<double, 6> moved(const std::array<double, 6>& there, const Transform& now) {
   std::array<double, 6> rt = rt_of(now);
   if (largest_difference(pose_of(there), now).distance <= kSameRotation) std::copy_n(there.begin(), 3, rt.begin());

@@ -23,7 +23,7 @@ inline constexpr std::string_view kTuningPrefix = "svo.";
 
 inline constexpr std::string_view kImuSection = "imu_params";
 
-/// A fresh file, behind which SVO's sections stand where the rig states anything for them.
+/// A fresh file, after which SVO's sections stand where the rig states anything for them.
 [[nodiscard]] std::string composed(const Rig& rig, Written& written);
 /// SVO's two sections; "" where the rig states nothing for them.
 [[nodiscard]] std::string composed_imu(const Rig& rig, Written& written);

@@ -65,7 +65,7 @@ Sensor sensor_of(const text::Document& document, const Rig& rig, Style style) {
   const text::Node* type = find_key(document, "Camera.type");
   // Settings of an RGB-D sensor state a baseline, too.
   const bool said = style_of(document) != Style::kV1 || (type != nullptr && type->value == "Rectified");
-  // Before V1.0, Camera.bf is read beside a PinHole's distortion, too, and follows its focal length.
+  // Before V1.0, Camera.bf is read next to a PinHole's distortion, too, and follows its focal length.
   const bool before_v1 = style == Style::kOld || style == Style::kOrbSlam2;
   const bool states_bf = before_v1 && rig.cameras.size() == 1 && rig.baseline_m &&
                          model_info(rig.cameras.front().model).id == "radtan" && find_key(document, "Camera.bf") != nullptr;

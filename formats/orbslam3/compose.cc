@@ -15,7 +15,7 @@ using fields::Field;
 
 namespace {
 
-/// What to tell people beside a value that no input states.
+/// What to tell people next to a value that no input states.
 struct Note {
   std::string_view comment;
   bool look_at_it = false;

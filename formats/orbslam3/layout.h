@@ -37,7 +37,7 @@ inline constexpr std::array kStyleNames = {StyleName{"v1", Style::kV1}, StyleNam
   return std::nullopt;
 }
 
-/// One key of a camera, behind its prefix "Camera1.", and the parameter of our model it holds (or the constant it must be).
+/// One key of a camera, after its prefix "Camera1.", and the parameter of our model it holds (or the constant it must be).
 struct Slot {
   constexpr Slot(std::string_view name, ParameterId id, bool needed = true) : key(name), parameter(id), required(needed) {}
   constexpr Slot(std::string_view name, std::nullopt_t) : key(name), required(false) {}

@@ -25,7 +25,7 @@ struct TuningKey {
   bool whole = false;          ///< An int to the parsers; else a real.
   double upstream = 0.0;       ///< Value in upstream's Examples/*/*.yaml; none for optional keys.
   bool optional = false;       ///< Upstream's value is not written where the input states none.
-  std::string_view note = {};  ///< What to tell people, in a comment, beside a value that no input states.
+  std::string_view note = {};  ///< What to tell people, in a comment, next to a value that no input states.
   bool look_at_it = false;     ///< They must check it; the others are tuning.
   /// What makes sense: the first positive double for sizes, rates and thresholds that are divided by or drawn with.
   double lowest = std::numeric_limits<double>::min();

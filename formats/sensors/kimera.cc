@@ -190,7 +190,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   return sensors::read(files(), documents, options, diagnostics);
 }
 
-/// The time shift of ImuParams.yaml is that of all cameras. Beside a camera that states another one it stays a field of its
+/// The time shift of ImuParams.yaml is that of all cameras. Next to a camera that states another one it stays a field of its
 /// own, which is listed where it is not written.
 void complete(Rig& rig) {
   const ExtraField* field = find_shift(rig);

@@ -38,7 +38,7 @@ bool scale_parameter(Rig& rig, ParameterId name, double factor) {
   return value && set_parameter(rig.cameras.front().model, name, *value * factor);
 }
 
-/// T_cam1_cam0 beside T_cam0_imu and T_cam1_imu; null where a rig has no such thing.
+/// T_cam1_cam0 next to T_cam0_imu and T_cam1_imu; null where a rig has no such thing.
 PoseEdge* stated_twice(Rig& rig) {
   if (rig.poses.size() < 3 || rig.cameras.size() < 2) return nullptr;
   const auto found = std::ranges::find_if(

@@ -102,7 +102,7 @@ TEST(JoinedFormats, TheOpenCvModelIsOfTheOpenCvFiles) {
   EXPECT_EQ(run_program({"convert", kTumvi, kDs, "--join", "--to", "kalibr", "--opencv-model", "pinhole"}).code, 3);
 }
 
-// A file that already is what is to be written keeps its bytes, whatever stands beside it and wherever.
+// A file that already is what is to be written keeps its bytes, whatever stands next to it and wherever.
 TEST(JoinedFormats, AFileOfTheTargetsFormatKeepsItsBytes) {
   struct Case {
     const char* to;
@@ -150,7 +150,7 @@ TEST(JoinedFormats, LinesOfDsosStayWhatTheyAre) {
   std::multiset<std::string> outputs;
   for (const std::string& name : folder.names()) outputs.insert(read_file(folder / name));
   EXPECT_EQ(outputs, (std::multiset<std::string>{read_file(one), read_file(two)}));
-  // With a camera of another format beside them: one line more.
+  // With a camera of another format next to them: one line more.
   const RunResult mixed = run_program({"convert", kTumvi, one, "--join", "--to", "dso", "-o", folder / "m/{camera}.txt"});
   EXPECT_EQ(mixed.code, 0) << mixed.err;
   for (const char* camera : {"m/cam0.txt", "m/cam1.txt", "m/cam2.txt"})

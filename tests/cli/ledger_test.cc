@@ -152,7 +152,7 @@ void convert_into(const Input& input, const Format& from, const Format& to, Clas
     (camera["exact"].GetBool() ? classes.exact : classes.fitted).insert(camera["from_model"].GetString() + condition);
   }
   std::string lost;
-  const std::string_view kept = info(Code::kPosesOfGroupsKept).text;  // of its words, those behind the cameras
+  const std::string_view kept = info(Code::kPosesOfGroupsKept).text;  // of its words, those after the cameras
   const std::string poses_are_kept(kept.substr(kept.rfind('}') + 1));
   for (const rapidjson::Value& loss : json["losses"].GetArray()) {
     const std::string what = loss["what"].GetString();

@@ -124,7 +124,7 @@ TEST(Names, AProgramGetsAModelThatItTakes) {
   EXPECT_EQ(run_program({"convert", rational, "--to", "3dgrut"}).code, 0);
 }
 
-// An image's size is beside the file, and the user says it.
+// An image's size is next to the file, and the user says it.
 TEST(Names, AProgramThatLooksAtTheImagesKnowsTheirSize) {
   const TemporaryFolder folder;
   const std::string file = folder.write(

@@ -562,7 +562,7 @@ TEST(VerdictReasons, OfThreeCamerasTheWrittenPairCounts) {
     cam2.replace(cam2.find(beside), beside.size(), "[1.0, 0.0, 0.0, " + x + "]\n  - [0.0, 1.0, 0.0, " + y + "]");
     return two + cam2;
   };
-  // cam1 beside cam0, and cam2 below it, as T_cam2_cam1 has it.
+  // cam1 next to cam0, and cam2 below it, as T_cam2_cam1 has it.
   const std::string file = folder.write("three.yaml", of_three("0.11", "-0.11"));
   const auto verdict = [&](const std::string& cameras) {
     return Told(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calibrations beside each other, over all good files: a file beside itself, a common mistake planted into it, and honest
+// Calibrations next to each other, over all good files: a file next to itself, a common mistake planted into it, and honest
 // pairs, of which no mistake may be claimed.
 #include "formats/test_files.h"
 

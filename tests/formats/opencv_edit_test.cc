@@ -326,7 +326,7 @@ Rig as_rational(Rig rig) {
   return rig;
 }
 
-// A longer vector is the old one with more behind it: neither its spelling nor its layout changes.
+// A longer vector is the old one with more after it: neither its spelling nor its layout changes.
 TEST(OpenCvEdit, AVectorGrowsAndShrinksInItsOwnLayout) {
   const Base yaml = good("calibration.yml");
   const std::string longer = with_replaced(with_replaced(yaml.bytes, "rows: 5", "rows: 8"), "-9.7656250000000000e-04 ]",
@@ -408,7 +408,7 @@ TEST(OpenCvEdit, AFileOfThePoseAloneKeepsTheRest) {
   EXPECT_EQ(bytes_of(write(base, sample_rig("kb4", {false, false}))), base.bytes);
 }
 
-// What the input says beside its cameras is compared as a whole, matrices too.
+// What the input says besides its cameras is compared as a whole, matrices too.
 TEST(OpenCvEdit, WhatTheInputSaysOtherwiseIsSaid) {
   const std::string changed =
       with_replaced(read_file(testdata_dir() / "opencv/good/k1d1.yml"), "0.0, 0.0, 0.28", "0.0, 0.0, 0.5");

@@ -244,7 +244,7 @@ RC_GTEST_PROP(RandomRigs, KalibrToOpenCvAndBack, ()) {
 }
 
 // Each camera in the vehicle, as a quaternion, and back by way of R and T between cameras. OpenCV has no vehicle, which is
-// said; the models are WoodScape's alone and come home beside the poses.
+// said; the models are WoodScape's alone and come home next to the poses.
 RC_GTEST_PROP(RandomRigs, WoodScapeToOpenCvAndBack, ()) {
   const Shape shape = {"woodscape", {"kb4"}, 4, true, false, false, false, 2};
   Rig rig = random_rig(shape);

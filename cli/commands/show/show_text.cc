@@ -27,7 +27,7 @@ std::string degrees_or(const std::optional<double>& value) {
 /// "+ 0.0021", "- 0.0003"
 std::string signed_in_words(double value) { return (value < 0.0 ? "- " : "+ ") + text::format_short(std::abs(value), 9); }
 
-/// Does what was read beside the representation speak of that camera?
+/// Does what was read next to the representation speak of that camera?
 bool is_of(const ExtraField& extra, const Camera& camera) { return extra.owner == camera.name; }
 
 /// What is known of a lens without a model.

@@ -478,7 +478,7 @@ TEST(Matrix, EveryFormatHasAnIndependentReader) {
   }
 }
 
-// A test per source's format, so that they run beside each other.
+// A test per source's format, so that they run next to each other.
 class MatrixFrom : public testing::TestWithParam<const Format*> {};
 
 TEST_P(MatrixFrom, EveryTargetReproducesTheSourcesPixels) {

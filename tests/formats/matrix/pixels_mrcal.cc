@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// mrcal's .cameramodel (MORE-FORMATS.md section 12): the list behind a key in quotes, in OpenCV's formulas with k1 k2 p1 p2 k3
+// mrcal's .cameramodel (MORE-FORMATS.md section 12): the list after a key in quotes, in OpenCV's formulas with k1 k2 p1 p2 k3
 // k4 k5 k6 s1 s2 s3 s4. Poses are rotation vector and translation of the reference in the camera.
 #include "pixels_mrcal.h"
 

@@ -28,9 +28,9 @@ struct Finding {
   Message facts = {};
   SourceRange where = {};
   std::optional<SpanEdit> edit = {};  ///< Where the fix is certain: another spelling of the same value.
-  std::vector<Message> details = {};  ///< Clauses behind the sentence.
+  std::vector<Message> details = {};  ///< Clauses after the sentence.
   Code kind = {};                     ///< Whose id it has, where that is not the sentence's.
-  // In place of what the table says beside the sentence: that of another row, or a sentence that is one.
+  // In place of what the table says besides the sentence: that of another row, or a sentence that is one.
   Message outcome = {};  ///< What happens if the file is used as it is.
   Message remedy = {};   ///< How to fix it.
 };

@@ -115,7 +115,7 @@ struct Written {
     text::Document document;            ///< Bytes with edits; its source's name is a proposal ("imu.yaml", "cam1.txt").
     std::vector<std::string> cameras;   ///< Names, as in the rig, of the cameras in it.
     std::vector<std::string> programs;  ///< Ids of the consumers meant to read it.
-    /// Another of the files names it: it lies beside that one, under its source's name.
+    /// Another of the files names it: it lies next to that one, under its source's name.
     bool named = false;
     std::string place = {};    ///< Its path in a folder of the program's own ("mav0/cam0/sensor.yaml"); empty: any name does.
     bool of_defaults = false;  ///< It states nothing of the rig, but what the program stops without.
@@ -183,7 +183,7 @@ struct Format {
   std::string_view syntaxes;                     ///< For people: "YAML".
   std::string_view extension;                    ///< Of its files, with the point: ".yaml".
   std::string_view program;                      ///< The stock program that reads it: "Kalibr".
-  std::string_view main_file = "camchain.yaml";  ///< The file with the cameras, where its other parts lie beside it.
+  std::string_view main_file = "camchain.yaml";  ///< The file with the cameras, where its other parts lie next to it.
   std::string_view binary_file = {};             ///< The same in a folder of binary files; empty: there are none.
   bool reader_warns = false;                     ///< What its program misreads its reader says itself, at the place.
   std::string_view layout_of = {};      ///< Id of the format whose files its own are, with habits of their own; may be empty.
@@ -208,7 +208,7 @@ struct Format {
   bool frame_rate = false;
   bool topic = false;
   bool baseline = false;        ///< Of a rectified pair or depth sensor, without a pose.
-  std::string_view frame = {};  ///< That it states poses in, beside those of cameras and IMUs: "vehicle".
+  std::string_view frame = {};  ///< That it states poses in, besides those of cameras and IMUs: "vehicle".
   std::span<const OwnFact> own_facts = {};
   std::span<const std::string_view> modes = {};    ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
@@ -221,7 +221,7 @@ struct Format {
   std::span<const Demand> demands = {};
   /// Keys of own facts (ExtraField::key) that count pixels or rows of the images, and are stale for others.
   std::span<const std::string_view> of_the_images = {};
-  /// Keys of own facts that were computed from the cameras and their poses, and are stale beside others.
+  /// Keys of own facts that were computed from the cameras and their poses, and are stale next to others.
   std::span<const std::string_view> of_the_lenses = {};
   /// Keys of own facts that name cameras by their numbers (1: cam1): who renames those recounts these.
   std::span<const std::string_view> of_cameras = {};

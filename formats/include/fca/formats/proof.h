@@ -52,7 +52,7 @@ struct ProofResult {
   double max_diff_pose = 0.0;     ///< Largest difference of an element of a pose both state.
   bool pixels_agree = false;      ///< To what its precision allows; also where there was nothing to compare (no image size).
   bool poses_agree = false;
-  /// Numbers beside pixels and poses that the program holds otherwise than the rig: image sizes, time offsets, the IMU's noise
+  /// Numbers besides pixels and poses that the program holds otherwise than the rig: image sizes, time offsets, the IMU's noise
   /// and rate, a depth sensor's baseline. One each: owner, name, the program's number, the rig's ("cam0 time offset is 0.1, not
   /// 0.2").
   std::vector<Message> other_numbers;

@@ -34,7 +34,7 @@ struct StatedRig {
 
 /// The document of that format with the scalar of a key saying something else, in the spelling of what stands there: quotes
 /// stay, a real stays a real ("30" becomes "30.0"), and our comment that the value is a default goes. A value that may be added
-/// is, behind the others of its group. Nothing with an error where there is no such key, where a word would replace a number or
+/// is, after the others of its group. Nothing with an error where there is no such key, where a word would replace a number or
 /// a number of another type an int, and where the rig that the file states would be another: calibrations are not corrected
 /// here.
 [[nodiscard]] std::optional<StatedRig> set_value(const Format& format, const StatedRig& before, const KeyValue& setting,

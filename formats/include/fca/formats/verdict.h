@@ -52,7 +52,7 @@ struct VerdictFacts {
 [[nodiscard]] Verdict decide(const VerdictFacts& facts);
 
 /// Does a program of the format, started in that mode, miss what was lost? If not it is a detail: a topic, an identity matrix,
-/// an IMU beside a format of lenses.
+/// an IMU next to a format of lenses.
 [[nodiscard]] bool matters(const Loss& loss, const Format& to, std::string_view mode);
 
 }  // namespace fca

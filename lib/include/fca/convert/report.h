@@ -100,7 +100,7 @@ struct WeightedRms {
 struct RmsFit {
   double rms_px = 0.0;
   double max_px = 0.0;
-  bool kept = false;  ///< No camera with a smaller largest error was found beside it.
+  bool kept = false;  ///< No camera with a smaller largest error was found near it.
 };
 
 /// A turn of the camera that was fitted together with its model: the frame of the written camera is another one.

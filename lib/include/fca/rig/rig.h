@@ -76,7 +76,7 @@ struct ExtraField {
   bool operator==(const ExtraField&) const = default;
 };
 
-/// What people are told: the key behind its owner's name, "cam0 line_delay".
+/// What people are told: the key after its owner's name, "cam0 line_delay".
 [[nodiscard]] std::string with_owner(const ExtraField& field);
 
 /// What a frame that poses speak of belongs to.
@@ -134,7 +134,7 @@ struct Rig {
   std::vector<Uncertainty> uncertainties = {};
   std::vector<PoseUncertainty> pose_uncertainties = {};
 
-  /// `name`, or with "_2", "_3", ... behind it where a camera is called so.
+  /// `name`, or with "_2", "_3", ... after it where a camera is called so.
   [[nodiscard]] std::string unused_name(const std::string& name) const;
   [[nodiscard]] const Camera* find_camera(std::string_view name) const;
   /// The first statement of a camera's standard deviations, one with a covariance before others; null if there is none.

@@ -20,7 +20,7 @@ struct Uncertainty {
                                     ///< parameter's unit; 0: it was held fixed. Empty: only residuals are stated.
   /// Row by row, in units of sigma_i sigma_j; its diagonal is that of `sigmas`. Empty: correlations are not known.
   std::vector<double> covariance = {};
-  /// The values that the file states beside the standard deviations, where it does; NaN of those that it leaves out.
+  /// The values that the file contains besides the standard deviations, where it does; NaN of those that it leaves out.
   std::vector<double> values = {};
   std::optional<double> reprojection_rms_px = {};  ///< Root mean square distance between seen and computed points.
   SourceRange where = {};                          ///< Where that is stated.

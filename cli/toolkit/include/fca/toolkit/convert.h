@@ -51,7 +51,7 @@ struct ConvertedFile {
   text::Syntax syntax = text::Syntax::kYaml;
   std::vector<std::string> cameras;   ///< Names of the cameras in it, as in the input.
   std::vector<std::string> programs;  ///< Ids of the consumers that are meant to read it.
-  bool named = false;                 ///< Another of the files names it: it lies beside that one.
+  bool named = false;                 ///< Another of the files names it: it lies next to that one.
   std::string place = {};             ///< In a folder of its program's own ("mav0/cam0/sensor.yaml"); empty: any name does.
   bool of_defaults = false;           ///< It states nothing of the input.
 

@@ -22,7 +22,7 @@ struct SampleError {
   double mean_px = 0.0;
 };
 
-/// An image shown as the converted camera would have taken it, beside the image itself.
+/// An image shown as the converted camera would have taken it, next to the image itself.
 struct RecoveredImage {
   double psnr_db = 0.0;  ///< Infinite: the same.
   double ssim = 0.0;

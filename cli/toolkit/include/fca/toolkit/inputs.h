@@ -56,7 +56,7 @@ struct Inputs {
 [[nodiscard]] std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, Diagnostics& diagnostics);
 /// The same for who asks its cameras for pixels and rays: nothing, with an error, where one is known by rays alone.
 [[nodiscard]] std::optional<Calibration> read_models(const Inputs& inputs, Files& files, Diagnostics& diagnostics);
-/// The first in two steps: as the files state it, and with what the inputs ask for beside the files. False with errors.
+/// The first in two steps: as the files state it, and with what the inputs ask for besides the files. False with errors.
 [[nodiscard]] std::optional<Calibration> read_as_stated(const Inputs& inputs, Files& files, Diagnostics& diagnostics);
 [[nodiscard]] bool apply_choices(const Inputs& inputs, Files& files, Calibration& calibration, Diagnostics& diagnostics);
 

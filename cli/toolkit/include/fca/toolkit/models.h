@@ -59,7 +59,7 @@ struct Candidate {
 /// The same among all but `other`.
 [[nodiscard]] const Candidate* recommended_beside(const std::vector<Candidate>& candidates, const Candidate& other);
 
-/// Every model beside the others, for each camera of a calibration.
+/// Every model next to the others, for each camera of a calibration.
 struct ModelsResult {
   struct OfCamera {
     Camera camera;

@@ -16,7 +16,7 @@ struct ReportRequest {
   /// Its inputs are what the report is about. Without `to` and `into` there is no file to be written: the cameras are fitted to
   /// `model` alone or, if that is null, not at all.
   ConvertRequest conversion;
-  bool every_model = false;  ///< All models of each camera, one beside the others.
+  bool every_model = false;  ///< All models of each camera, one next to the others.
 };
 
 struct ReportResult {
