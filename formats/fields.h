@@ -72,9 +72,9 @@ class Reader {
   /// A warning at every entry of a mapping that does not count; after a few only their number.
   void warn_of_duplicates(const text::Node& mapping);
   /// A warning at every key that nobody has asked for and that is probably one which was asked for and is not there: what it
-  /// states would be lost without a word. To be called when all is read.
+  /// specifies would be lost without a word. To be called when all is read.
   void warn_of_misspelt() const;
-  /// Every key of a mapping that nobody has asked for, as what `owner` states besides. To be called when all is read.
+  /// Every key of a mapping that nobody has asked for, as what `owner` specifies besides. To be called when all is read.
   void keep_unasked(const text::Node& mapping, const std::string& owner, std::vector<ExtraField>& kept) const;
   /// As severe as the table says, at the node.
   void say(const text::Node& node, Code code, std::vector<Argument> arguments = {});

@@ -70,7 +70,7 @@ bool has_header_in_comment(const text::Document& document) {
   return false;
 }
 
-/// The first line that states something.
+/// The first line that specifies something.
 const Node* first_line(const text::Document& document) {
   const auto found = std::ranges::find_if(
       document.root().items, [](const Node& line) { return !line.items.empty() && line.tag != text::kCommentTag; });

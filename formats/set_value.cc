@@ -130,7 +130,7 @@ std::optional<text::Document> with_added(const text::Document& document, ValueTy
   return edited;
 }
 
-/// The rig a document states.
+/// The rig a document specifies.
 std::optional<Rig> rig_of(const Format& format, const text::Document& document, const ReadOptions& options) {
   Diagnostics ignored;
   return format.read(std::span(&document, 1), options, ignored);

@@ -98,7 +98,7 @@ bool check_image(const Subject& subject, Findings& findings) {
   bool any = false;
   const std::optional<ImageSize>& told = subject.options.reading.image_size;
   const std::vector<Camera>& cameras = subject.rig().cameras;
-  // Of several cameras those whose size is stated may have another one.
+  // Of several cameras those whose size is specified may have another one.
   const bool is_told_of_one = std::ranges::find(cameras, told, &Camera::image_size) != cameras.end();
   for (const Camera& camera : cameras) {
     if (!camera.image_size) {

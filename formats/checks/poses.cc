@@ -53,7 +53,7 @@ int longest_row(const Transform& T) {
   return longest;
 }
 
-/// For formats that state metres.
+/// For formats that specify metres.
 bool too_far(const Subject& subject, double metres, std::string_view from = {}) {
   return !subject.calibration.format->any_length_unit && is_too_long(metres, from, subject.rig());
 }

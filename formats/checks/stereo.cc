@@ -55,7 +55,7 @@ void check_turn(const ClaimedPair& pair, const FindPlace& where, Findings& findi
   }
 }
 
-/// Does the rectification state the same pose?
+/// Does the rectification specify the same pose?
 void check_rectification(const Subject& subject, const ClaimedPair& pair, const FindPlace& where, Findings& findings) {
   const std::optional<RectifiedPair>& rectified = subject.rig().rectified;
   if (!rectified || !rectified->sources.empty()) return;

@@ -200,11 +200,11 @@ class CameraReader {
   }
 
   struct Stated {
-    const Node* node = nullptr;  ///< Null: nothing states it.
+    const Node* node = nullptr;  ///< Null: nothing specifies it.
     double value = 0.0;
   };
 
-  /// Nothing, with an error, where what stands there states none.
+  /// Nothing, with an error, where what stands there specifies none.
   std::optional<Stated> focal_length(std::string_view key, bool horizontal) {
     if (const Node* node = find(key)) {
       const std::optional<double> value = reader_.real(*node, key);

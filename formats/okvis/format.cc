@@ -60,7 +60,7 @@ bool all_held(const text::Document& document, const Rig& rig) {
                              [&document](const Camera& camera) { return layout_holds(document, model_info(camera.model).id); });
 }
 
-/// Are there the sections that hold what the rig states besides the cameras?
+/// Are there the sections that hold what the rig specifies besides the cameras?
 bool has_sections(const text::Document& document, const Rig& rig) {
   const bool first = is_first_generation(document);
   const auto has = [&document](std::string_view key) { return text::find(document.root(), key, kTable.dialect) != nullptr; };

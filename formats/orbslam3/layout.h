@@ -76,7 +76,7 @@ struct PoseKeys {
 };
 [[nodiscard]] PoseKeys pose_keys(Style style);
 
-/// The key under which a document states the first camera in the IMU; "" if it does not.
+/// The key under which a document specifies the first camera in the IMU; "" if it does not.
 [[nodiscard]] std::string_view imu_pose_key(const text::Document& document);
 
 /// slam_no_opt's time offset, stated the other way round: t_image = t_imu + delay [s]. It stands in the fork's own files; no

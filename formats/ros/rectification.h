@@ -29,7 +29,7 @@ struct Rectification {
   std::optional<PoseEdge> restated;
 };
 
-/// R and P are those of the pair that the rig states (Rig::rectified), or its files (`extra_fields` and poses in rectified
+/// R and P are those of the pair that the rig specifies (Rig::rectified), or its files (`extra_fields` and poses in rectified
 /// frames), where these still agree with the poses of the rig; else of two cameras next to each other that see something in
 /// common: both turned by half the rotation between them, and then so that their rows lie along the baseline. Further cameras
 /// are rectified alone.

@@ -66,7 +66,7 @@ constexpr CodeInfo about_reader(CodeInfo row) {
   return row;
 }
 
-/// The same of where cameras stand: no matter to a file that states no poses.
+/// The same of where cameras stand: no matter to a file that specifies no poses.
 constexpr CodeInfo about_poses(CodeInfo row) {
   row.about = About::kPoses;
   return row;

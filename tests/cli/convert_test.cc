@@ -375,7 +375,7 @@ TEST(Convert, APoseAloneIsAnsweredWithOpenCvsNames) {
   EXPECT_TRUE(says(run.err, "no-camera", "fca-io convert intrinsics.yml --with ")) << run.err;
 }
 
-// No file of OpenCV's states the unit of T.
+// No file of OpenCV's specifies the unit of T.
 TEST(Convert, TheUnitOfOpenCvsPoseIsAnAssumption) {
   const std::string pair = testdata("formats/opencv/good/k1d1.yml");
   for (const char* to : {"kalibr", "opencv"}) {

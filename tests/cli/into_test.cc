@@ -139,7 +139,7 @@ TEST(Into, PosesThatTheInputDoesNotStateKeepTheirBytes) {
   }
 }
 
-// The base says the second camera's pose twice. One that contradicts what the input says follows from it, and that is said.
+// The base says the second camera's pose twice. One that contradicts what the input says follows from it, and that is reported.
 TEST(Into, ARedundantPoseFollowsTheOneThatMoved) {
   const TemporaryFolder folder;
   const std::string tumvi = read_file(kTumvi);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --join: what every file states is the joined rig's, whichever files the others are.
+// --join: what every file specifies is the joined rig's, whichever files the others are.
 #include "cli/read_rig.h"
 #include "cli/run_program.h"
 #include "cli/told.h"
@@ -47,7 +47,7 @@ TEST(JoinedChains, CountTheirOverlapsAgain) {
   const RunResult swapped = run_program({"convert", pair, other, "--join", "--camera", "3,0,1,2", "--to", "kalibr"});
   EXPECT_EQ(overlaps_in(swapped.out), (std::vector<std::string>{"[3]", "[2]", "[1]", "[0]"})) << swapped.out << swapped.err;
   EXPECT_FALSE(contains(swapped.err, "cam_overlaps")) << swapped.err;
-  // Without its partner there is none to speak of, and that is said.
+  // Without its partner there is none to speak of, and that is reported.
   const Told without({"convert", pair, other, "--join", "--camera", "0,1,2", "--to", "kalibr"});
   EXPECT_EQ(overlaps_in(without.bytes()), (std::vector<std::string>{"[1]", "[0]", "[]"})) << without.bytes();
   EXPECT_TRUE(without.lost("not-carried", "cam2 cam_overlaps [3]")) << without.text();

@@ -69,7 +69,7 @@ bool says_exact(const Classes& expected, const std::string& name) {
 /// What OpenCV's files of mei hold more than one of.
 const std::string kButForAPair = " (mei, but for a pair)";
 
-/// The same of formats that state poses of pairs only.
+/// The same of formats that specify poses of pairs only.
 const std::string kButForAStereoPair = "poses, but for a stereo pair";
 
 /// What the table calls a loss.

@@ -348,7 +348,7 @@ TEST(RigOptions, SetAndFpsBothEditOneFile) {
   }
 }
 
-// Kalibr stops without a topic as soon as it opens a bag, and no other format states one. --help has it as its example.
+// Kalibr stops without a topic as soon as it opens a bag, and no other format specifies one. --help has it as its example.
 TEST(RigOptions, SetAddsWhatAProgramReadsAndTheFileLacks) {
   const TemporaryFolder folder;
   const std::string chain =

@@ -117,7 +117,7 @@ TEST(CompareFiles, AFileIsExactlyItself) {
   }
 }
 
-// Also those that state no image size.
+// Also those that specify no image size.
 TEST(CompareFiles, EveryFileOfTheCorpusIsExactlyItself) {
   if (!fs::exists(shared_dir() / "corpus" / "kalibr")) GTEST_SKIP() << "needs ../shared/corpus";
   std::size_t compared_files = 0;
@@ -142,7 +142,7 @@ TEST(CompareFiles, EveryFileOfTheCorpusIsExactlyItself) {
   EXPECT_GT(compared_files, 300U);
 }
 
-// Which way a file states a pose is its own affair.
+// Which way a file specifies a pose is its own affair.
 TEST(CompareFiles, APoseStatedTheOtherWayIsTheSame) {
   for (const auto& [name, rig] : good_rigs()) {
     SCOPED_TRACE(name);

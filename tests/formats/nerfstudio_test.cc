@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // transforms.json of nerfstudio and instant-ngp: what its numbers mean, by formulas written down here once more; which object
-// states them; what an edit touches; what each loader reads from a file; and the corpus' files, read as a person reads them.
+// specifies them; what an edit touches; what each loader reads from a file; and the corpus' files, read as a person reads them.
 #include "formats/lost_facts.h"
 #include "formats/rigs.h"
 #include "formats/test_files.h"

@@ -49,7 +49,7 @@ std::string word(const std::string& bytes, const std::string& key) {
   return bytes.substr(at + 1, bytes.find(bytes[at], at + 1) - at - 1);
 }
 
-/// T_reference_camera: the inverse of what is stated.
+/// T_reference_camera: the inverse of what is specified.
 std::optional<Pose> pose_in_reference(const std::string& bytes) {
   std::vector<double> rt = numbers(bytes, "rt_cam_ref");
   if (rt.empty()) rt = numbers(bytes, "extrinsics");

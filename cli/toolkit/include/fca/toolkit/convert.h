@@ -53,7 +53,7 @@ struct ConvertedFile {
   std::vector<std::string> programs;  ///< Ids of the consumers that are meant to read it.
   bool named = false;                 ///< Another of the files names it: it lies next to that one.
   std::string place = {};             ///< In a folder of its program's own ("mav0/cam0/sensor.yaml"); empty: any name does.
-  bool of_defaults = false;           ///< It states nothing of the input.
+  bool of_defaults = false;           ///< It specifies nothing of the input.
 
   /// Does it only stand where its program looks for it?
   [[nodiscard]] bool is_filler() const { return of_defaults && cameras.empty() && programs.empty(); }
@@ -69,7 +69,7 @@ struct OutputRoom {
   bool camera_files = true;   ///< Several files with cameras; else more than one is an error.
   bool named_files = true;    ///< Files that another one names; else they are an error.
   bool further_files = true;  ///< Files without cameras (Kalibr's imu.yaml); else they are left out, as a loss.
-  /// Files that state nothing and that the program wants in its folder (COLMAP's images.txt); else they are left out.
+  /// Files that specify nothing and that the program wants in its folder (COLMAP's images.txt); else they are left out.
   bool fillers = true;
   bool given_parts = true;  ///< A part of the input may be left out so; else that is an error.
 };
@@ -99,9 +99,9 @@ struct ConvertRequest {
   bool in_detail = false;
   /// ConvertOptions::errors_of_kept
   bool errors_of_kept = true;
-  std::optional<double> frame_rate_hz;  ///< For formats that state it.
+  std::optional<double> frame_rate_hz;  ///< For formats that specify it.
   std::optional<double> baseline_m;     ///< Of a rectified pair or depth sensor.
-  std::vector<KeyValue> settings;       ///< Values of the written file that no calibration states.
+  std::vector<KeyValue> settings;       ///< Values of the written file that no calibration specifies.
   std::optional<double> max_error_px;   ///< kRejected if a camera's largest error is more.
   /// kRejected if a camera's error is anywhere more than so many standard deviations of the calibration's own pixels; of a
   /// camera without a covariance a bad request.
@@ -142,7 +142,7 @@ struct ConvertResult {
   bool lens_given = false;  ///< By an angle or a circle: shares are of the lens.
   std::vector<ConvertedCamera> cameras;
   std::vector<ConvertedFile> files;
-  std::vector<PoseEdge> poses;  ///< That the files state, between cameras by the input's names.
+  std::vector<PoseEdge> poses;  ///< That the files specify, between cameras by the input's names.
   Message headline;             ///< Mode, who reads it, who does not.
   std::string mode;             ///< That was written for.
   std::string layout;  ///< That was chosen because the program understands it best; empty: asked for, or the usual one.
@@ -169,8 +169,8 @@ struct ConvertResult {
 /// How many of the files hold cameras and have no name that another one gives them.
 [[nodiscard]] std::size_t camera_files(const std::vector<ConvertedFile>& files);
 
-/// Why a request cannot be one for files of a format that has no such thing as what it states (a frame rate, a mode, a layout
-/// of another format): "option-without-use". None if it can.
+/// Why a request cannot be one for files of a format that has no such thing as what it specifies (a frame rate, a mode, a
+/// layout of another format): "option-without-use". None if it can.
 [[nodiscard]] Message without_use(const ConvertRequest& request, const Format& to);
 
 /// Never throws for bad input: the result's status and diagnostics tell.

@@ -40,13 +40,13 @@ struct Inputs {
   std::vector<std::string> parts;                    ///< Paths of further parts of the calibration (imu.yaml).
   const Format* format = nullptr;                    ///< Of the files; null: found by their content.
   std::optional<std::vector<CameraChoice>> cameras;  ///< These alone, in this order; nothing: all.
-  std::optional<ImageSize> image_size;               ///< For files that do not state one.
+  std::optional<ImageSize> image_size;               ///< For files that do not specify one.
   std::optional<OpenCvModel> opencv_model;           ///< For files that could be either.
   ImageChange change;                                ///< From the calibrated images to those that the cameras are for.
   std::optional<double> max_angle_rad;               ///< What counts as lens, from the axis; nothing: the whole image.
   std::vector<CameraImage> lens_circles;             ///< What counts as lens: the image circle that these images show.
-  std::optional<double> length_unit_m;               ///< Of translations in files that do not state their unit; none: metres.
-  std::optional<double> imu_rate_hz;                 ///< For files that do not state it.
+  std::optional<double> length_unit_m;               ///< Of translations in files that do not specify their unit; none: metres.
+  std::optional<double> imu_rate_hz;                 ///< For files that do not specify it.
   std::optional<NoiseKind> imu_noise;                ///< Of the input.
   bool join = false;                                 ///< Several files, or one that is written as one of several.
 };
@@ -56,7 +56,7 @@ struct Inputs {
 [[nodiscard]] std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, Diagnostics& diagnostics);
 /// The same for who asks its cameras for pixels and rays: nothing, with an error, where one is known by rays alone.
 [[nodiscard]] std::optional<Calibration> read_models(const Inputs& inputs, Files& files, Diagnostics& diagnostics);
-/// The first in two steps: as the files state it, and with what the inputs ask for besides the files. False with errors.
+/// The first in two steps: as the files specify it, and with what the inputs ask for besides the files. False with errors.
 [[nodiscard]] std::optional<Calibration> read_as_stated(const Inputs& inputs, Files& files, Diagnostics& diagnostics);
 [[nodiscard]] bool apply_choices(const Inputs& inputs, Files& files, Calibration& calibration, Diagnostics& diagnostics);
 

@@ -37,7 +37,7 @@ struct ProgramReading {
   std::vector<Mode> modes;  ///< Empty where it does not read the format.
 };
 
-/// Asks a program, in each of its modes, about the file of the calibration that states the cameras (else the first).
+/// Asks a program, in each of its modes, about the file of the calibration that specifies the cameras (else the first).
 /// `inputs`: what counts as lens, and which of OpenCV's models its files' numbers are of. `findings`: about the file's meaning.
 [[nodiscard]] ProgramReading ask_program(const consumers::Consumer& program, const Calibration& calibration,
                                          const Inputs& inputs, std::span<const Finding> findings = {});

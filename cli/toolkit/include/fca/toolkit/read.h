@@ -53,7 +53,7 @@ struct CameraReading {
 /// The same of all formats.
 [[nodiscard]] std::vector<std::string> names_elsewhere(std::string_view model);
 
-/// Is the pose from a file that does not state the unit of its translation?
+/// Is the pose from a file that does not specify the unit of its translation?
 [[nodiscard]] bool has_assumed_unit(const PoseEdge& edge, const Calibration& calibration);
 
 }  // namespace fca

@@ -30,7 +30,7 @@ using OpenCvRectifier = std::function<std::optional<OpenCvRectification>(const O
 
 struct RectifyRequest {
   Inputs inputs;  ///< Two cameras; of more those that have most in common.
-  /// std::monostate and no size: what the files state, else computed.
+  /// std::monostate and no size: what the files specify, else computed.
   RectifiedViewChoice view;
   std::optional<ImageSize> size;  ///< Of the rectified images; nothing: as the cameras'.
   OpenCvRectifier like_opencv;    ///< Empty: our own.
@@ -49,7 +49,7 @@ struct RectifyResult {
   Transform T_second_first;           ///< As the poses of the files have it.
   RectifiedPair pair;                 ///< Its first view is the left (upper) camera's.
   ImageSize size;                     ///< Of the rectified images.
-  bool is_stated = false;             ///< The files state it.
+  bool is_stated = false;             ///< The files specify it.
   bool is_rectified = false;          ///< The images are rectified as they are: the files hold nothing but their camera.
   bool is_exchanged = false;          ///< The files' first camera is the right (lower) one.
   double full_fov_rad = 0.0;          ///< Across the width.

@@ -99,7 +99,7 @@ struct LoadOptions {
   std::optional<OpenCvModel> opencv_model = {};
   /// Of the file, where that decides what its numbers are (cuVSLAM); empty: the name that fits them.
   std::string file_name = {};
-  /// Width and height of the image files, in pixels, which some programs take where a file states none; zeros: unknown.
+  /// Width and height of the image files, in pixels, which some programs take where a file specifies none; zeros: unknown.
   std::array<double, 2> image_size = {};
   bool operator==(const LoadOptions&) const = default;
 };
