@@ -126,7 +126,7 @@ bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics
       rig.cameras.push_back(camera);
       continue;
     }
-    // COLMAP's rig_config.json states the lenses again, without sizes.
+    // COLMAP's rig_config.json specifies the lenses again, without sizes.
     const bool same_size = !camera.image_size || camera.image_size == there->image_size;
     if (there->model != camera.model || !same_size) {
       diagnostics.add(Code::kCameraInMainFile, {camera.name}, where);
@@ -166,7 +166,7 @@ bool is_second_statement(const Rig& rig, const PoseLoop& loop) {
   return loop.path.size() == 1 && rig.poses[loop.path.front()].a == rig.poses[loop.edge].a;
 }
 
-/// `files`: what states each pose.
+/// `files`: what specifies each pose.
 Diagnostic worded(const Contradiction& contradiction, const Rig& rig, std::span<const std::string> files) {
   const PoseLoop& loop = contradiction.loop;
   const PoseEdge& edge = rig.poses[loop.edge];
@@ -185,7 +185,7 @@ Diagnostic worded(const Contradiction& contradiction, const Rig& rig, std::span<
           where};
 }
 
-/// A pose that is stated, and follows from others too: do they agree? Real files print them from one estimate, to 1e-15. The
+/// A pose that is specified, and follows from others too: do they agree? Real files print them from one estimate, to 1e-15. The
 /// file can be read, which makes them warnings; how grave they are, checks and verdicts say.
 void warn_of_contradictions(const Rig& rig, std::span<const std::string> files, Diagnostics& diagnostics) {
   for (const Contradiction& each : contradictions(rig)) diagnostics.add(worded(each, rig, files));
@@ -237,7 +237,7 @@ void complete(std::span<const Format* const> formats, Rig& rig) {
 }  // namespace
 
 /// Joined files of cameras alone put each at the origin of the same frame (ROS: R = I and no baseline; mrcal: zeros): that
-/// states no pose.
+/// specifies no pose.
 void forget_common_origins(Rig& rig, Diagnostics& diagnostics) {
   std::map<std::string, std::vector<std::string>> at_origin;
   // A vehicle's is one that cameras are measured in.

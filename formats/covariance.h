@@ -13,10 +13,10 @@
 
 namespace fca::covariance {
 
-/// Is the first line that states something the head of such a table?
+/// Is the first line that specifies something the head of such a table?
 [[nodiscard]] bool is_table(const text::Document& document);
 
-/// Adds what it states. Errors stand at their places.
+/// Adds what it specifies. Errors stand at their places.
 void read(const text::Document& document, Rig& rig, Diagnostics& diagnostics);
 
 }  // namespace fca::covariance

@@ -5,7 +5,7 @@
 
 namespace fca {
 
-/// How the comment begins that a fresh file has above a value which no input states.
+/// How the comment begins that a fresh file has above a value which no input specifies.
 inline constexpr std::string_view kDefaultComment = "# Default. ";
 
 }  // namespace fca

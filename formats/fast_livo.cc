@@ -134,7 +134,7 @@ constexpr Key length(std::string_view name, ParameterId id) {
   return {name, FactKind::kParameter, read_length, write_length, {.parameter = id}};
 }
 
-/// Which parameter of the camera's model the key states; nothing: the program does not read it beside that model.
+/// Which parameter of the camera's model the key specifies; nothing: the program does not read it next to that model.
 std::optional<ParameterId> stated_by(const Key& key, const Camera& camera) {
   const bool of_fisheye = key.name.starts_with('k');
   const std::string_view id = id_of(camera);
@@ -224,7 +224,7 @@ const Node* keys_of(const Node& root) {
   return nullptr;
 }
 
-/// What the file says beside those keys: of other cameras, and of time.
+/// What the file says besides those keys: of other cameras, and of time.
 void keep_beside(const Node& root, Rig& rig) {
   const Node* keys = keys_of(root);
   if (keys == &root) return;

@@ -158,7 +158,7 @@ bool is_yaml(const text::Document& document) {
   return document.syntax() == text::Syntax::kYaml || document.syntax() == text::Syntax::kOpenCvYaml;
 }
 
-/// Must a new value beside `entry` do without line breaks?
+/// Must a new value next to `entry` do without line breaks?
 bool on_one_line(const text::Document& document, const Node& mapping, const text::Entry& entry) {
   return is_yaml(document) ? mapping.flow : !document.begins_line(entry);
 }

@@ -72,9 +72,9 @@ class Reader {
   /// A warning at every entry of a mapping that does not count; after a few only their number.
   void warn_of_duplicates(const text::Node& mapping);
   /// A warning at every key that nobody has asked for and that is probably one which was asked for and is not there: what it
-  /// states would be lost without a word. To be called when all is read.
+  /// specifies would be lost without a word. To be called when all is read.
   void warn_of_misspelt() const;
-  /// Every key of a mapping that nobody has asked for, as what `owner` states beside. To be called when all is read.
+  /// Every key of a mapping that nobody has asked for, as what `owner` specifies besides. To be called when all is read.
   void keep_unasked(const text::Node& mapping, const std::string& owner, std::vector<ExtraField>& kept) const;
   /// As severe as the table says, at the node.
   void say(const text::Node& node, Code code, std::vector<Argument> arguments = {});
@@ -128,7 +128,7 @@ struct Field {
 [[nodiscard]] Field rows(std::string key, const Transform& T);
 [[nodiscard]] Field matrix(std::string key, std::span<const double> values, int columns, std::string element_type);
 
-/// The lines of a field behind `indentation` blanks, without a last line break (and, in JSON, without a comma).
+/// The lines of a field after `indentation` blanks, without a last line break (and, in JSON, without a comma).
 [[nodiscard]] std::string spell(const Field& field, std::size_t indentation = 0, text::Syntax syntax = text::Syntax::kYaml);
 
 /// What a value says, for Rig::extra_fields: a scalar as spelled; lists and mappings on one line, their reals in one spelling.
@@ -138,14 +138,14 @@ struct Field {
 /// spelling. For documents of words, which have no keys for apply().
 void set_scalar(text::Document& document, const text::Node& scalar, const std::string& token);
 
-/// Text of a document as Document::insert_after takes it: line feeds alone, and without `indentation` behind them.
+/// Text of a document as Document::insert_after takes it: line feeds alone, and without `indentation` after them.
 [[nodiscard]] std::string unindented(std::string_view text, std::string_view indentation);
 
 /// A double-quoted YAML string.
 [[nodiscard]] std::string quote(std::string_view value);
 
 /// Takes a mapping from saying `before` to saying `after`: fields that are equal in both are not touched, whatever their
-/// spelling; changed ones are edited number by number where the layout allows; new ones are inserted behind their predecessor,
+/// spelling; changed ones are edited number by number where the layout allows; new ones are inserted after their predecessor,
 /// vanished ones removed. With an empty `before`, every field of `after` is compared with what the document says.
 void apply(text::Document& document, const text::Node& mapping, text::Dialect dialect, std::span<const Field> before,
            std::span<const Field> after);

@@ -94,7 +94,7 @@ constexpr std::size_t kLongestOfNumbers = 4096;
 
 bool is_of_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Does it stand there with nothing before and behind it that would make it another word? What `may_go_on` may be the beginning
+/// Does it stand there with nothing before and after it that would make it another word? What `may_go_on` may be the beginning
 /// of one.
 bool has_word(std::string_view text, std::string_view word, bool may_go_on = false) {
   for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {

@@ -28,13 +28,13 @@ void add_stream(const Camera& camera, const Message& why, std::vector<Loss>& los
 /// Those of `extras` that are not among `there`, what the file to be edited says and goes on saying.
 [[nodiscard]] std::vector<ExtraField> extras_beyond(std::span<const ExtraField> extras, std::span<const ExtraField> there);
 
-/// What the input states beside its rig and the edited file, which says `there`, does not: as losses. Keys that the file has
-/// keep its value; for the others `why` is said.
+/// What the input specifies besides its rig and the edited file, which says `there`, does not: as losses. Keys that the file
+/// has keep its value; for the others `why` is said.
 void add_beyond_base(std::span<const ExtraField> extras, std::span<const ExtraField> there, const Message& why,
                      std::vector<Loss>& losses);
 
-/// What the input states beside its rig and the file, which states `there`, does not (`why`); and of `replaced`, the rig of a
-/// base in whose place the file was composed, what neither of them states.
+/// What the input specifies besides its rig and the file, which specifies `there`, does not (`why`); and of `replaced`, the rig
+/// of a base in whose place the file was composed, what neither of them specifies.
 void add_extras_lost(const Rig& rig, std::span<const ExtraField> there, const std::optional<Rig>& replaced, const Message& why,
                      std::vector<Loss>& losses);
 

@@ -17,7 +17,7 @@ namespace fca {
 
 namespace {
 
-/// To a millimetre and a twentieth of a degree: files state one pose in several ways, and round it.
+/// To a millimetre and a twentieth of a degree: files specify one pose in several ways, and round it.
 bool same_pose(const std::optional<Transform>& a, const std::optional<Transform>& b) {
   constexpr double kTolerance = 1e-3;
   return a && b && std::ranges::equal(a->values, b->values, [](double x, double y) {
@@ -135,7 +135,7 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_read, const Wr
     const bool another_name = edge.T_a_b == Transform{} && !(is_device(rig, edge.a) && is_device(rig, edge.b));
     if (another_name) kept.poses.push_back(edge);
   }
-  // In the order in which the poses are stated.
+  // In the order in which the poses are specified.
   struct Row {
     std::pair<Group, Group> groups;
     std::string key;

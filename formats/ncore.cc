@@ -121,7 +121,7 @@ Disagreement disagreement(const Numbers& to_distance, const Numbers& to_angle, d
   return result;
 }
 
-/// An f-theta lens as the file states it.
+/// An f-theta lens as the file specifies it.
 struct Polynomials {
   std::array<double, 2> centre{};
   Numbers to_distance;    ///< px of rad

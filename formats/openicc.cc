@@ -44,7 +44,7 @@ constexpr std::string_view kWidth = "image_width";
 constexpr std::string_view kHeight = "image_height";
 constexpr std::string_view kTimeOffset = "time_offset_imu_to_cam_s";
 
-/// A key and the parameter that it states.
+/// A key and the parameter that it specifies.
 struct Coefficient {
   std::string_view key;
   ParameterId id;
@@ -240,7 +240,7 @@ bool read_pose(Reading& reading, const Key& key, const Node& rotation) {
   return true;
 }
 
-/// Kept for the camera where another file states that.
+/// Kept for the camera where another file specifies that.
 bool read_offset(Reading& reading, const Key& key, const Node& node) {
   const std::optional<double> offset = reading.reader.time_offset(node, key.name);
   if (!offset) return false;

@@ -145,7 +145,7 @@ class Reading {
     return std::ranges::all_of(beside, [](double value) { return value == 0.0; }) || make_table(beside);
   }
 
-  /// Of fisheye62 and fisheye624 with what stands beside the radial distortion.
+  /// Of fisheye62 and fisheye624 with what stands next to the radial distortion.
   bool make_table(const std::array<double, kBeside.size()>& beside) {
     const CameraModel radial = camera_.model;
     const auto project = [radial, beside](const Ray& ray) -> std::optional<Pixel> {

@@ -6,7 +6,7 @@
 
 namespace fca {
 
-/// `camera`, which states its size, as a table of some 2,600 rays all over its equirectangular image: longitude atan2(x, z)
+/// `camera`, which specifies its size, as a table of some 2,600 rays all over its equirectangular image: longitude atan2(x, z)
 /// runs from -pi at column 0 to pi at column `width`, latitude from straight up at row 0 to straight down at row `height`, in
 /// pixels whose first has its centre at (0, 0).
 [[nodiscard]] Camera panorama(Camera camera);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a file states a fact of its rig: where the format's table says, or what the format's writer would edit if the fact were
-// another. So no second list of keys is needed, and a new format has places as soon as it can write.
+// Where a file specifies a fact of its rig: where the format's table says, or what the format's writer would edit if the fact
+// were another. So no second list of keys is needed, and a new format has places as soon as it can write.
 #pragma once
 
 #include "schema/schema.h"

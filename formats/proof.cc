@@ -239,7 +239,7 @@ constexpr std::array kImuNumbers = {
     ImuNumber{"rate", &Imu::rate_hz, &consumers::ConsumerImu::rate_hz, 0.5},
 };
 
-/// Collects the numbers that differ, of those that both state.
+/// Collects the numbers that differ, of those that both specify.
 class NumberComparison {
  public:
   /// `owner`: a camera, the IMU, or nothing.

@@ -70,7 +70,7 @@ bool has_header_in_comment(const text::Document& document) {
   return false;
 }
 
-/// The first line that states something.
+/// The first line that specifies something.
 const Node* first_line(const text::Document& document) {
   const auto found = std::ranges::find_if(
       document.root().items, [](const Node& line) { return !line.items.empty() && line.tag != text::kCommentTag; });
@@ -144,7 +144,7 @@ std::optional<Camera> read_camera(const text::Document& document, const ReadOpti
   }
   fields::Reader reader(document, text::Dialect::kPyYaml, diagnostics);
   const Node* first = first_line(document);
-  const Node* gap = nullptr;  ///< An empty line behind a ray: at the end it says nothing.
+  const Node* gap = nullptr;  ///< An empty line after a ray: at the end it says nothing.
   for (const Node& line : document.root().items) {
     if (line.items.empty() && !camera.rays.empty()) gap = &line;
     if (line.items.empty() || line.tag == text::kCommentTag) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Private: pixels of a file beside those of a program that reads it and may scale its images.
+// Private: pixels of a file next to those of a program that reads it and may scale its images.
 #pragma once
 
 #include <fca/formats/consumers/consumer.h>

@@ -97,7 +97,7 @@ std::optional<std::string> spelled_like(const text::Document& document, const No
   return quote + setting.value + quote;
 }
 
-/// The document with a value that it lacked, behind the last entry of its group ("Viewer." of Viewer.imageViewScale), else of
+/// The document with a value that it lacked, after the last entry of its group ("Viewer." of Viewer.imageViewScale), else of
 /// its mapping. Nothing with an error if the value is of another type.
 std::optional<text::Document> with_added(const text::Document& document, ValueType type, const KeyValue& setting,
                                          Diagnostics& diagnostics) {
@@ -130,7 +130,7 @@ std::optional<text::Document> with_added(const text::Document& document, ValueTy
   return edited;
 }
 
-/// The rig a document states.
+/// The rig a document specifies.
 std::optional<Rig> rig_of(const Format& format, const text::Document& document, const ReadOptions& options) {
   Diagnostics ignored;
   return format.read(std::span(&document, 1), options, ignored);

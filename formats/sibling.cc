@@ -18,7 +18,7 @@ namespace {
 
 bool is_xml(const Document& document) { return document.syntax() == Syntax::kXml; }
 
-/// A comment belongs to the camera beside which it stands: with the blanks before it and, on a line of its own, the line.
+/// A comment belongs to the camera next to which it stands: with the blanks before it and, on a line of its own, the line.
 void remove_comments(Document& document, const Span& region) {
   const std::string& bytes = document.source().bytes;
   const char* const blanks = is_xml(document) ? " \t\r\n" : " \t";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// New entries in the style of those that stand beside them.
+// New entries in the style of those that stand next to them.
 #pragma once
 
 #include "fields.h"

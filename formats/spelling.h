@@ -15,7 +15,7 @@ struct Style {
 /// The token of a scalar as the syntax has it: JSON quotes every text, XML has entities.
 [[nodiscard]] std::string spell_token(const std::string& token, text::Syntax syntax);
 
-/// A field's value. YAML: what stands behind "key:", with its blank or line break. JSON: what stands behind "key": without. XML
+/// A field's value. YAML: what stands after "key:", with its blank or line break. JSON: what stands after "key": without. XML
 /// has no value without its element.
 [[nodiscard]] std::string spell_value(const Field& field, text::Syntax syntax, const Style& style);
 

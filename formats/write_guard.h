@@ -7,7 +7,7 @@
 
 namespace fca {
 
-/// False with errors if the rig states what no file may (rig/limits.h), or has names that are not printable.
+/// False with errors if the rig specifies what no file may (rig/limits.h), or has names that are not printable.
 [[nodiscard]] bool may_be_written(const Rig& rig, Diagnostics& diagnostics);
 
 /// False with an error if a pose is no motion but a mirror image.

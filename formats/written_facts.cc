@@ -22,7 +22,7 @@ bool is_written(const std::string& camera, const VerdictFacts& facts) {
 
 namespace {
 
-/// Does a written file state the pose, or can what it states be derived from it?
+/// Does a written file specify the pose, or can what it specifies be derived from it?
 bool is_written(const PoseEdge& edge, const VerdictFacts& facts) {
   if (facts.files.empty()) return true;
   if (!states_poses(facts)) return false;

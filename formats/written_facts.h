@@ -15,7 +15,7 @@ namespace fca {
 /// Does one of the written files hold the camera?
 [[nodiscard]] bool is_written(const std::string& camera, const VerdictFacts& facts);
 
-/// Is the finding about a pose that no written file states, by its name, or about poses where none is stated?
+/// Is the finding about a pose that no written file specifies, by its name, or about poses where none is specified?
 [[nodiscard]] bool is_of_unwritten_pose(const Finding& finding, const VerdictFacts& facts);
 
 /// Which of two statements of a pose the written files have, a clause; none where they have neither, or nothing is written.

@@ -10,7 +10,7 @@
 namespace fca {
 
 /// The text with the directive of a version 1.x in its first line made a comment, as long as it was. What yaml-cpp is to refuse
-/// (another version, no "---" behind) stays.
+/// (another version, no "---" after) stays.
 inline std::string without_version(std::string text) {
   constexpr std::string_view kDirective = "%YAML 1.";
   if (!text.starts_with(kDirective)) return text;

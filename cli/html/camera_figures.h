@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn of one camera, and of another beside it: a map over the image, bands, and curves over the angle.
+// What is drawn of one camera, and of another next to it: a map over the image, bands, and curves over the angle.
 #pragma once
 
 #include "html.h"
@@ -16,7 +16,7 @@ struct DrawnCamera {
   const Camera& source;
   std::string source_label;  ///< For legends: "kb4", "reference (kb4)".
 
-  /// The one beside it, in the same pixels; null: none, or the same.
+  /// The one next to it, in the same pixels; null: none, or the same.
   const CameraModel* target = nullptr;
   std::string target_label = {};
   const ErrorStatistics* statistics = nullptr;  ///< Of the two; null where there is none.

@@ -24,7 +24,7 @@ struct Curve {
   std::vector<std::array<double, 2>> points;
 };
 
-/// A vertical line with a word beside it.
+/// A vertical line with a word next to it.
 struct Mark {
   double x = 0.0;
   std::string label;

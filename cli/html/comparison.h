@@ -8,7 +8,7 @@
 
 namespace fca::cli {
 
-/// The page of two calibrations beside each other, made as report_page() is. `compared` has a comparison.
+/// The page of two calibrations next to each other, made as report_page() is. `compared` has a comparison.
 [[nodiscard]] std::string comparison_page(const ReferenceFile& reference, const ComparedFile& compared,
                                           std::optional<double> max_angle_rad, const std::string& command);
 

@@ -10,7 +10,7 @@ namespace fca::cli {
 
 namespace {
 
-/// A side between two neighbouring cells, on which a line may cross: it belongs to the two squares beside it.
+/// A side between two neighbouring cells, on which a line may cross: it belongs to the two squares next to it.
 struct Side {
   int column = 0;
   int row = 0;

@@ -13,7 +13,7 @@ namespace fca::cli {
 namespace {
 
 /// Characters that mean something in HTML, and those that would turn the rest of a line around (U+202A to U+202E, U+2066 to
-/// U+2069): a name must not change what stands beside it.
+/// U+2069): a name must not change what stands next to it.
 std::string escaped(std::string_view content) {
   const auto means_itself = [](char each) {
     return each >= ' ' && each <= '~' && std::string_view("&<>\"'").find(each) == std::string_view::npos;
@@ -77,7 +77,7 @@ void Html::open(std::string_view tag, Attributes attributes) {
 void Html::close(std::string_view tag) {
   page_ += "</";
   page_ += tag;
-  // A line break beside words within a line would be a blank.
+  // A line break next to words within a line would be a blank.
   page_ += tag == "span" || tag == "code" ? ">" : ">\n";
 }
 

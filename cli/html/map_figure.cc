@@ -17,7 +17,7 @@ namespace fca::cli {
 namespace {
 
 constexpr double kWidth = 480.0;
-constexpr double kPictureWidth = 476.0;  // and its frame beside it
+constexpr double kPictureWidth = 476.0;  // and its frame next to it
 constexpr double kPictureHeight = 476.0;
 constexpr double kEdge = 2.0;
 

@@ -9,7 +9,7 @@
 
 namespace fca::cli {
 
-/// One HTML file that needs nothing beside itself: no script, no request, light and dark, for screens of any width and for
+/// One HTML file that needs nothing besides itself: no script, no request, light and dark, for screens of any width and for
 /// paper. The same contents give the same bytes.
 [[nodiscard]] std::string report_page(const ReportContents& contents);
 

@@ -188,7 +188,7 @@ class Drawing {
     }
   }
 
-  /// Beside its origin, where nothing else is written.
+  /// Next to its origin, where nothing else is written.
   void put_name(Html& html, const PlacedRig::Frame& frame) {
     const Point origin = at(frame.T_first_frame, {0, 0, 0});
     constexpr double kLetter = 7.6;

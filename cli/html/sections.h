@@ -13,7 +13,7 @@ void put_verdict(Html& html, const ReportContents& contents);
 void put_recommendations(Html& html, const ReportContents& contents);
 /// What it all comes to, in a few lines.
 void put_summary(Html& html, const ReportContents& contents);
-/// --model all: the models beside each other, and which to take.
+/// --model all: the models next to each other, and which to take.
 void put_candidates(Html& html, const ReportContents& contents);
 /// A row for each camera.
 void put_camera_table(Html& html, const ReportContents& contents);

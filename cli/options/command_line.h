@@ -10,7 +10,7 @@
 
 namespace fca::cli {
 
-/// "NAME --to FORMAT ...": a command as one would type it again, behind the program's name, with those of its options that
+/// "NAME --to FORMAT ...": a command as one would type it again, after the program's name, with those of its options that
 /// `keep` wants.
 [[nodiscard]] std::string command_line(const TypedOptions& options, std::string_view name,
                                        const std::function<bool(const TypedOption&)>& keep);

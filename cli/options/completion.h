@@ -11,7 +11,7 @@ class App;
 
 namespace fca::cli {
 
-/// What may stand where the last of `words`, those behind the program's name, is being typed.
+/// What may stand where the last of `words`, those after the program's name, is being typed.
 struct Completion {
   std::vector<std::string> words;
   bool files = false;  ///< Also the paths of files.

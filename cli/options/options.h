@@ -82,7 +82,7 @@ class Options {
   void flag(const std::string& name, const std::string& help, bool& target, OptionKey key = OptionKey::kOther);
   /// A flag that may come several times.
   void count(const std::string& name, const std::string& help, int& target);
-  /// A flag that sets `target` to false, beside its opposite, which is the default.
+  /// A flag that sets `target` to false, next to its opposite, which is the default.
   void flag_pair(const std::string& on, const std::string& on_help, const std::string& off, const std::string& off_help,
                  bool& target);
 

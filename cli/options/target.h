@@ -19,7 +19,7 @@ void add_to_option(Options& options, const std::string& help, ConvertRequest& re
 struct ModelOption {
   std::string values = "MODEL";
   std::string help;       ///< Before the list of models;
-  std::string more = {};  ///< behind it.
+  std::string more = {};  ///< after it.
 };
 /// --model
 void add_model_option(Options& options, const ModelOption& option, TakeWord take);

@@ -18,7 +18,7 @@ namespace fca::cli {
 // All throw consumers::MissingModule where the installation lacks the module.
 
 /// The image in a file's bytes; nothing where that is none, not a whole one, or one of a kind that Image does not hold. As it
-/// is stored: an orientation that a camera has noted beside it turns nothing.
+/// is stored: an orientation that a camera has noted next to it turns nothing.
 [[nodiscard]] std::optional<Image> decoded(const std::string& bytes);
 /// The bytes of a file; `extension` with its point. Nothing where that cannot be made.
 [[nodiscard]] std::optional<std::string> encoded(const Image& image, const std::string& extension);

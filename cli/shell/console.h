@@ -41,7 +41,7 @@ class Console {
   [[nodiscard]] ExitCode refuse(ExitCode code, const Diagnostics& diagnostics) const;
   /// Was --json given, or --json-lines?
   void promise_json(JsonShape shape) { promised_ = shape; }
-  /// Text for people, without control characters that a file may have brought in; to stdout, or beside it to stderr.
+  /// Text for people, without control characters that a file may have brought in; to stdout, or next to it to stderr.
   void say(std::string_view text) const { out(text::printable(text, true)); }
   void print_stderr(std::string_view text) const { err(text::printable(text, true)); }
   /// The same of text that tells a verdict, which has its colour on a terminal unless NO_COLOR is set.

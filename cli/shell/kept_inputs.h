@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Outputs beside inputs: a command does not write over the files that it reads, --force or not.
+// Outputs next to inputs: a command does not write over the files that it reads, --force or not.
 #pragma once
 
 #include "console.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the library leaves to its caller: which option of the command states the fact that is missing.
+// What the library leaves to its caller: which option of the command specifies the fact that is missing.
 #pragma once
 
 #include <fca/formats/text/message.h>

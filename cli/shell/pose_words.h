@@ -22,8 +22,8 @@ struct Placement {
 /// "cam1 sits 10.11 cm to the right of cam0, 0.19 cm below and 0.10 cm ahead, and looks the same way (2.69 deg off)"
 [[nodiscard]] std::string placement_in_words(const Placement& placement);
 
-/// The same of a pose as a file states it; a camera is placed in what is none, whichever way the file has it. Empty where its
-/// 3 x 3 part has no inverse. `in_metres`: does the file say the unit of the position, or its format?
+/// The same of a pose as a file specifies it; a camera is placed in what is none, whichever way the file has it. Empty where
+/// its 3 x 3 part has no inverse. `in_metres`: does the file say the unit of the position, or its format?
 [[nodiscard]] std::string pose_in_words(const PoseEdge& edge, const Rig& rig, bool in_metres = true);
 
 }  // namespace fca::cli

@@ -9,7 +9,7 @@
 
 namespace fca::cli {
 
-/// In a sentence or two: for a reader of that format; null: for any, and what to take beside it.
+/// In a sentence or two: for a reader of that format; null: for any, and what to take next to it.
 [[nodiscard]] std::string recommendation(const std::vector<Candidate>& candidates, const Format* to);
 
 }  // namespace fca::cli

@@ -12,7 +12,7 @@
 namespace fca::cli {
 
 /// "conversion error 0.02 px, the calibration's own uncertainty 0.15 px (1 sigma, at the worst pixel), by covariance.csv"; of
-/// an exact copy without the error. Where nothing states it: how much less the error is than what two calibrations of such a
+/// an exact copy without the error. Where nothing specifies it: how much less the error is than what two calibrations of such a
 /// camera differ by. Empty where there is nothing to compare.
 [[nodiscard]] std::string uncertainty_in_words(const ConversionReport& report);
 

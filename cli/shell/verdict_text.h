@@ -23,10 +23,10 @@ struct SummaryLine {
   bool operator==(const SummaryLine&) const = default;
 };
 
-/// Equal lines about several cameras are one; in 80 columns, each behind two blanks.
+/// Equal lines about several cameras are one; in 80 columns, each after two blanks.
 [[nodiscard]] std::string summary_text(const std::vector<SummaryLine>& lines);
 
-/// One sentence in lines of 80 columns; all but the first stand behind two blanks.
+/// One sentence in lines of 80 columns; all but the first stand after two blanks.
 [[nodiscard]] std::string wrapped_line(const std::string& sentence);
 
 /// The reasons, and how to write the file all the same. `with_distances`: those in pixels, too, which a summary has with its

@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::size_t kColumns = 80;
 
-/// Parts in lines of at most 80 columns, each line behind `indent`.
+/// Parts in lines of at most 80 columns, each line after `indent`.
 std::string in_lines(std::span<const std::string> parts, std::string_view indent, std::string_view separator) {
   std::string text;
   std::string line(indent);

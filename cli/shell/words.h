@@ -22,11 +22,11 @@ namespace fca::cli {
 /// Fixed decimals: "0.113".
 [[nodiscard]] std::string fixed(double value, int decimals);
 [[nodiscard]] std::string percent(double share);
-/// "fx 190.978  fy 190.973 ..." over lines of at most 80 columns, each behind `indent`.
+/// "fx 190.978  fy 190.973 ..." over lines of at most 80 columns, each after `indent`.
 [[nodiscard]] std::string parameters_in_words(const CameraModel& model, std::string_view indent);
-/// "a, b, c" over lines of at most 80 columns, each behind `indent`.
+/// "a, b, c" over lines of at most 80 columns, each after `indent`.
 [[nodiscard]] std::string wrapped(std::span<const std::string> parts, std::string_view indent);
-/// A text in lines of at most 80 columns, each behind `indent`; a command ("fca-io ..." to the next comma, semicolon or
+/// A text in lines of at most 80 columns, each after `indent`; a command ("fca-io ..." to the next comma, semicolon or
 /// parenthesis) stays in one line.
 [[nodiscard]] std::string paragraph(std::string_view text, std::string_view indent);
 /// Words in lines of 80 columns, without a line break at the end. The first line goes on with one of `used` characters; the

@@ -20,7 +20,7 @@ class OutputWriter {
   OutputWriter(const ConvertArguments& arguments, const Console& console) : arguments_(arguments), console_(console) {}
 
   /// Puts the files of each, all or none, into their places; says in it what went wrong with it. What a killed program has left
-  /// beside them goes.
+  /// next to them goes.
   void write(std::span<Finished> converted);
 
  private:

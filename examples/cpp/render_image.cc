@@ -16,7 +16,7 @@ constexpr int kHeight = 480;
 const fca::Intrinsics<fca::Kb4> kLens{{461.58688085556616, 460.2811732644195, 366.28603126815506, 249.08026891791644,
                                        -0.012523386218579752, 0.057836801948828065, -0.08495347810986263, 0.04362766880887814}};
 
-/// Brightness of a checkered board one metre ahead, a little turned: 8 x 6 squares of 12 cm; negative beside it.
+/// Brightness of a checkered board one metre ahead, a little turned: 8 x 6 squares of 12 cm; negative next to it.
 double board(const fca::Ray& ray) {
   if (ray[2] < 0.3 * std::hypot(ray[0], ray[1])) return -1.0;
   const double depth = 1.0 / (1.0 - 0.25 * ray[0] / ray[2]);  // the plane z = 1 + x / 4

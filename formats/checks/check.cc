@@ -344,7 +344,7 @@ std::vector<Finding> findings_about_meaning(const text::Document& document, cons
 std::optional<text::Source> fixed_source(const text::Source& source, const CheckOptions& options) {
   text::Source result = source;
   std::set<std::string> before = {source.bytes};
-  constexpr int kMostRounds = 20;  // behind a header that is fixed a program sees the rest for the first time
+  constexpr int kMostRounds = 20;  // after a header that is fixed a program sees the rest for the first time
   for (int round = 0; round < kMostRounds; ++round) {
     const CheckReport report = check_file(result, options);
     text::Document document(result, text::Syntax::kYaml, {});

@@ -6,7 +6,7 @@
 namespace fca {
 
 std::span<const CodeInfo> check_codes() {
-  // One behind the other in the table of codes, by id.
+  // One after the other in the table of codes, by id.
   const std::span<const CodeInfo> rows = all_codes();
   return {std::ranges::lower_bound(rows, Code::kAnyA1NotZero, {}, &CodeInfo::code),
           std::ranges::upper_bound(rows, Code::kAnyYamlTab, {}, &CodeInfo::code)};

@@ -60,7 +60,7 @@ void check_equidistant(const Subject& subject, const Camera& camera, Findings& f
 }
 
 /// Under radtan, k1 and k2 of a unified model leave out the xi that makes the pincushion of k2 a fisheye's barrel. No plain
-/// lens's second term outweighs the first and pulls the corner outwards so far. Beside an xi of 3 they are large and positive:
+/// lens's second term outweighs the first and pulls the corner outwards so far. Next to an xi of 3 they are large and positive:
 /// the focal length, which has that factor too, then makes the corner's radius small.
 void check_unified(const Subject& subject, const Camera& camera, Findings& findings) {
   if (!camera.image_size) return;

@@ -121,7 +121,7 @@ std::optional<Fix> find_fix(const text::Document& document, const consumers::Con
   const std::vector<consumers::Complaint>& before = view.refusals;
   const Message& said = complaint.facts;
   const auto is_like_it = [&said](const consumers::Complaint& each) { return is_alike(each.facts, said); };
-  // Behind the header the program sees the file for the first time: it may go on to refuse something else.
+  // After the header the program sees the file for the first time: it may go on to refuse something else.
   for (std::optional<Fix> (*layout)(const text::Document&) :
        {&without_mark, &checks::layout_fix, &checks::header_fix, &blanks_for_tabs}) {
     std::optional<Fix> fix = layout(document);

@@ -41,7 +41,7 @@ class ImageCheck {
     return true;
   }
 
-  /// Numbers of one resolution beside the size of another: the centre is off by the same factor along both sides.
+  /// Numbers of one resolution next to the size of another: the centre is off by the same factor along both sides.
   bool check_scaled() {
     const double across = u_ / (0.5 * (size_.width - 1));
     const double down = v_ / (0.5 * (size_.height - 1));
@@ -98,7 +98,7 @@ bool check_image(const Subject& subject, Findings& findings) {
   bool any = false;
   const std::optional<ImageSize>& told = subject.options.reading.image_size;
   const std::vector<Camera>& cameras = subject.rig().cameras;
-  // Of several cameras those whose size is stated may have another one.
+  // Of several cameras those whose size is specified may have another one.
   const bool is_told_of_one = std::ranges::find(cameras, told, &Camera::image_size) != cameras.end();
   for (const Camera& camera : cameras) {
     if (!camera.image_size) {

@@ -29,7 +29,7 @@ void collect_shallow(const text::Source& source, const Node& node, std::vector<S
   for (const Node& item : node.items) collect_shallow(source, item, spans);
 }
 
-/// Do these bytes begin with the document's mark, behind blank lines and comments?
+/// Do these bytes begin with the document's mark, after blank lines and comments?
 bool begins_with_mark(std::string_view bytes) {
   while (!bytes.empty()) {
     const std::size_t first = bytes.find_first_not_of(" \r\n");
@@ -64,7 +64,7 @@ void collect_unspaced(const text::Source& source, const Node& node, std::vector<
 
 /// Where %YAML stands: in the first line that is neither blank nor a comment. What is before it OpenCV's reader does not take.
 struct Top {
-  std::size_t start = 0;       ///< Behind a byte order mark.
+  std::size_t start = 0;       ///< After a byte order mark.
   std::optional<Span> header;  ///< The line, without its break.
 
   [[nodiscard]] bool is_first() const { return header && header->offset == 0; }
@@ -84,7 +84,7 @@ Top top_of(const text::Source& source) {
   return top;
 }
 
-/// The lines before the header, behind a line break and without their last one.
+/// The lines before the header, after a line break and without their last one.
 std::string lines_before(const text::Source& source, const Top& top) {
   std::string_view lines = source.text({top.start, top.header->offset - top.start});
   if (lines.empty()) return "";

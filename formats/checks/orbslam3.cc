@@ -44,7 +44,7 @@ std::optional<double> corner_of(const Subject& subject, std::string_view key) {
   return text::parse_real(data->items[3].value);
 }
 
-/// bf = baseline times fx, where the file states the baseline another way, too.
+/// bf = baseline times fx, where the file specifies the baseline another way, too.
 void check_baseline(const Subject& subject, Findings& findings) {
   const std::optional<double> bf = number_at(subject, "Camera.bf");
   if (!bf) return;

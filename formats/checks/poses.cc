@@ -53,7 +53,7 @@ int longest_row(const Transform& T) {
   return longest;
 }
 
-/// For formats that state metres.
+/// For formats that specify metres.
 bool too_far(const Subject& subject, double metres, std::string_view from = {}) {
   return !subject.calibration.format->any_length_unit && is_too_long(metres, from, subject.rig());
 }
@@ -142,7 +142,7 @@ SourceRange place_of_pair(const Subject& subject) {
   return subject.places.pose(static_cast<std::size_t>(stated - rig.poses.begin()), 0, 3);
 }
 
-/// The first camera is the left one, and the second beside it: ORB-SLAM looks for disparities along rows, to one side only.
+/// The first camera is the left one, and the second next to it: ORB-SLAM looks for disparities along rows, to one side only.
 /// Fisheyes (kb4) are matched in the images as they are, by descriptors.
 void check_stereo_order(const Subject& subject, Findings& findings) {
   const Rig& rig = subject.rig();

@@ -165,7 +165,7 @@ class ProgramsCheck {
     return {Code::kConvertFor, {document_.source().name, name_of_it, how}};
   }
 
-  /// " (and 3 more)" behind the first of several.
+  /// " (and 3 more)" after the first of several.
   static std::vector<Message> and_more(std::span<const Complaint> complaints) {
     if (complaints.size() < 2) return {};
     return {{Code::kAndMore, {complaints.size() - 1}}};

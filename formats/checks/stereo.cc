@@ -42,7 +42,7 @@ std::optional<ClaimedPair> claimed_pair(const Subject& subject) {
   return pair;
 }
 
-/// About the axis and of the axis, as one rotation behind the other (swing and twist).
+/// About the axis and of the axis, as one rotation after the other (swing and twist).
 void check_turn(const ClaimedPair& pair, const FindPlace& where, Findings& findings) {
   constexpr double kTurned = 60.0;  // deg
   const Quaternion q = quaternion_of(pair.T_second_first);
@@ -55,7 +55,7 @@ void check_turn(const ClaimedPair& pair, const FindPlace& where, Findings& findi
   }
 }
 
-/// Does the rectification state the same pose?
+/// Does the rectification specify the same pose?
 void check_rectification(const Subject& subject, const ClaimedPair& pair, const FindPlace& where, Findings& findings) {
   const std::optional<RectifiedPair>& rectified = subject.rig().rectified;
   if (!rectified || !rectified->sources.empty()) return;

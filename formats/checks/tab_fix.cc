@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t";
 
-/// A line of block style that others may stand beside.
+/// A line of block style that others may stand next to.
 struct Level {
   std::size_t depth = 0;
   bool item = false;  ///< Begins with a dash.
@@ -93,7 +93,7 @@ class TabFixer {
     return std::ranges::find_if(levels_, fits)->depth;
   }
 
-  /// Behind the indentation: a TAB between two words is a blank, one within a word without quotes is its part.
+  /// After the indentation: a TAB between two words is a blank, one within a word without quotes is its part.
   bool take_rest(std::string_view rest) {
     char last = '\0';      // that is no blank
     std::size_t word = 0;  // where the last word begins

@@ -159,7 +159,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   return std::nullopt;
 }
 
-/// Numbers as they stand behind each other.
+/// Numbers as they stand after each other.
 std::string spelled(std::span<const double> numbers, text::Syntax syntax) {
   const bool binary = syntax == text::Syntax::kBinary;
   std::string text;
@@ -266,7 +266,7 @@ Rig with_rotations(Rig rig, Written& written) {
   return rig;
 }
 
-/// How the cameras sit to each other, in files beside that of the cameras: for rig_configurator, and as a model has it.
+/// How the cameras sit to each other, in files next to that of the cameras: for rig_configurator, and as a model has it.
 void add_poses(const Rig& rig, std::span<const Id> ids, bool binary, Written& written, Diagnostics& diagnostics) {
   const std::optional<std::string> config = composed_rig_config(rig);
   std::optional<text::Document> document =
@@ -361,7 +361,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     written.files.front().cameras.push_back(rig.cameras[i].name);
   add_extras_lost(rig, said, edits ? std::nullopt : old, Message{Code::kColmapNoPlace}, written.losses);
   list_camera_losses(rig, "COLMAP", written.losses);
-  // Beside what is changed in place lie the poses of its folder.
+  // Next to what is changed in place lie the poses of its folder.
   const bool has_poses_beside = edits && (options.keeps_layout || of_rigs);
   if (!has_poses_beside && !options.lenses_alone && edits && own_rigs != options.input.end()) {
     written.files.push_back({edited_rigs(*own_rigs, rig), {}, {"colmap-rig"}});

@@ -2,7 +2,7 @@
 // rig_config.json, which COLMAP's rig_configurator reads (colmap@5d968cf, scene/rig.cc, ReadRigConfig): a list of rigs, each a
 // list "cameras". A camera has an image_prefix (the folder of its images), and one of each rig ref_sensor: true. The others may
 // have a pose T_camera_reference as cam_from_rig_rotation [w, x, y, z] and cam_from_rig_translation [m], and all a lens:
-// camera_model_name with camera_params. It states no image sizes.
+// camera_model_name with camera_params. It specifies no image sizes.
 #pragma once
 
 #include "../fields.h"
@@ -33,7 +33,7 @@ namespace fca::colmap {
 /// A fresh one: the first camera that is in no rig yet is the reference of all whose poses to it are known. Nothing where a
 /// camera would be alone.
 [[nodiscard]] std::optional<std::string> composed_rig_config(const Rig& rig);
-/// The base, which states `old`, with what `rig` says of the same cameras.
+/// The base, which specifies `old`, with what `rig` says of the same cameras.
 [[nodiscard]] text::Document edited_rig_config(const text::Document& base, const Rig& old, const Rig& rig);
 
 }  // namespace fca::colmap

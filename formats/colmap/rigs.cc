@@ -165,7 +165,7 @@ std::string counted_from_0(std::string_view prefix, Id id) { return std::string(
 
 /// The seven numbers of each pose of a line that can be read.
 std::vector<std::span<const Node>> poses_in(std::span<const Node> words) {
-  constexpr std::size_t kFirst = 4;     // behind the rig's id, its number of sensors and the first of them
+  constexpr std::size_t kFirst = 4;     // after the rig's id, its number of sensors and the first of them
   constexpr std::size_t kOfSensor = 3;  // type, id and flag
   std::vector<std::span<const Node>> poses;
   const int sensors = text::parse_int(words[1].value).value_or(0);

@@ -129,7 +129,7 @@ bool holds_rigs(std::string_view bytes) {
   return false;
 }
 
-/// Behind a count of 8 bytes.
+/// After a count of 8 bytes.
 bool is_binary(std::string_view bytes) { return bytes.size() >= 8 && bytes.substr(4, 4) == std::string_view("\0\0\0\0", 4); }
 
 void load_binary(std::string_view bytes, const OwnReading& own, ConsumerView& view) {

@@ -2,7 +2,7 @@
 // Private: what Kalibr (ethz-asl/kalibr@1f60227, aslam_cameras) computes for a point before a camera.
 //
 // A ray gives nothing where Kalibr's own return value says "invalid": the pinhole family for z <= 0 (it still fills in a
-// mirrored pixel, which the oracle tables print), omni, eucm and ds outside their cones. Pixels beside the image are returned.
+// mirrored pixel, which the oracle tables print), omni, eucm and ds outside their cones. Pixels next to the image are returned.
 #pragma once
 
 #include <array>

@@ -195,7 +195,7 @@ std::optional<Extrinsic> extrinsic_of(const YAML::Node& root, const std::string&
   return std::nullopt;
 }
 
-/// The poses that the NCAMERA states, in the IMU.
+/// The poses that the NCAMERA specifies, in the IMU.
 void place_in_imu(const YAML::Node& root, const std::string& ncamera_id, const std::string& imu_id, ncamera::File& file) {
   const std::optional<Extrinsic> body = extrinsic_of(root, ncamera_id, file);
   if (!body) return;

@@ -47,7 +47,7 @@ class NerfFile {
   /// numbers.
   std::optional<std::vector<double>> coefficient_list(const Json& object);
   /// Where an object has distortion_params: true, with a warning that the program does not read them, if one is not 0 and no
-  /// coefficient stands beside the list.
+  /// coefficient stands next to the list.
   bool warn_of_list(const Json& object);
   /// True or false; false where nothing stands there, and a refusal where something else does.
   bool flag(const Json& object, std::string_view key);

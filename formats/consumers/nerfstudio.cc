@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // nerfstudio: transforms.json. From nerfstudio-project/nerfstudio@50e0e3c7 (2025-07-28): nerfstudio_dataparser.py (which object
-// states what), cameras/cameras.py (CAMERA_MODEL_TO_TYPE, generate_rays) and camera_utils.py (the distortion, whose inverse it
-// finds by Newton's method). It computes in float32, and its pixels begin at 0.5. Of a COLMAP model ns-process-data makes such
-// a file (process_data/colmap_utils.py), of the models that it knows without a loss.
+// specifies what), cameras/cameras.py (CAMERA_MODEL_TO_TYPE, generate_rays) and camera_utils.py (the distortion, whose inverse
+// it finds by Newton's method). It computes in float32, and its pixels begin at 0.5. Of a COLMAP model ns-process-data makes
+// such a file (process_data/colmap_utils.py), of the models that it knows without a loss.
 #include "nerf_file.h"
 
 #include "programs.h"

@@ -132,7 +132,7 @@ inline Ray fisheye_undistort_points(const CameraMatrix& K, const std::array<doub
   return {kNowhere, kNowhere, 1.0};
 }
 
-/// cv::omnidir::projectPoints (Mei's model, k1 k2 p1 p2, with skew). Behind the pole of the projection the pixel folds back.
+/// cv::omnidir::projectPoints (Mei's model, k1 k2 p1 p2, with skew). Beyond the pole of the projection the pixel folds back.
 inline Pixel omnidir_project_points(const CameraMatrix& K, double xi, const std::array<double, 4>& k, const Ray& ray) {
   const double norm = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]);
   const double depth = ray[2] / norm + xi;

@@ -20,7 +20,7 @@ struct Camera {
   bool has_distortion = false;
   bool has_k3 = false;
   std::array<float, 4> radial{};
-  bool misread = false;  ///< the program takes other numbers than the file states for this camera
+  bool misread = false;  ///< the program takes other numbers than the file specifies for this camera
 };
 
 class Parser {

@@ -244,7 +244,7 @@ class Reader {
 
   Value run() {
     Value root = value();
-    // A comma behind makes a tuple of it.
+    // A comma after it makes it a tuple.
     if (here().kind != TokenKind::kEnd) raise(kSyntaxError);
     return root;
   }

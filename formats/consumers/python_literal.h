@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Private: a text as Python's ast.literal_eval reads it (CPython 3.11), as far as files state numbers, texts, lists and dicts.
+// Private: a text as Python's ast.literal_eval reads it (CPython 3.11), as far as files specify numbers, texts, lists and
+// dicts.
 #pragma once
 
 #include <string>

@@ -177,7 +177,7 @@ class IniParser {
   }
 
  private:
-  /// The lines behind a key.
+  /// The lines after a key.
   std::span<const std::string> behind(std::span<const std::string> section, const std::string& key, std::size_t count) {
     const auto found = std::find(section.begin(), section.end(), key);
     if (static_cast<std::size_t>(section.end() - found) > count)
@@ -199,7 +199,7 @@ class IniParser {
     return static_cast<std::uint32_t>(number);
   }
 
-  /// What is no number is nan, and so is all behind it.
+  /// What is no number is nan, and so is all after it.
   std::vector<double> numbers(std::span<const std::string> section, const std::string& key, std::size_t rows,
                               std::size_t columns) {
     std::vector<double> values;

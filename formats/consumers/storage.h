@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Private: cv::FileStorage for bytes that nobody vouches for. OpenCV 4.6 recurses with some 6 kB of stack per nested list and
-// has no limit of its own: 100,000 brackets end the process. It allocates a matrix of the size a file states before it looks at
-// the numbers: `rows: 1073741824` takes 34 GB.
+// has no limit of its own: 100,000 brackets end the process. It allocates a matrix of the size a file specifies before it looks
+// at the numbers: `rows: 1073741824` takes 34 GB.
 #pragma once
 
 #include <functional>

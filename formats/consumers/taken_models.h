@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Programs that read some of COLMAP's models beside their own file, a JSON object.
+// Programs that read some of COLMAP's models next to their own file, a JSON object.
 #pragma once
 
 #include "colmap.h"
@@ -11,7 +11,7 @@
 
 namespace fca::consumers {
 
-/// Does the file begin as a JSON object, maybe behind a BOM?
+/// Does the file begin as a JSON object, maybe after a BOM?
 [[nodiscard]] bool is_json(std::string_view bytes);
 
 /// What the program reads of COLMAP's file of cameras. It refuses a model that is none of these (empty: it takes all).

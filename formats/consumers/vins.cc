@@ -148,7 +148,7 @@ Projection read_kannala_brandt(Parameters& parameters, ConsumerCamera& camera) {
   const std::array<const char*, 4> keys = {"k2", "k3", "k4", "k5"};
   for (std::size_t i = 0; i < keys.size(); ++i) k.at(i) = parameters("projection_parameters", keys.at(i));
   const Linear linear = read_linear(parameters, {"mu", "mv", "u0", "v0"});
-  // Beside the axis, acos rounds the angle to sqrt(2 eps).
+  // Near the axis, acos rounds the angle to sqrt(2 eps).
   constexpr double kAcosRounding = 2.2e-8;
   camera.approximation_px = kAcosRounding * std::max(std::abs(linear.fu), std::abs(linear.fv));
   return [k, linear](const Ray& p) {

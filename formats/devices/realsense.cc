@@ -153,7 +153,7 @@ class PrintReader {
     return reader_.image_size(width->front(), height->front(), block.name + " ");
   }
 
-  /// Null with an error where the block does not state so many.
+  /// Null with an error where the block does not specify so many.
   const std::vector<Node>* require(const Block& block, const std::string& key, std::size_t count) {
     const std::vector<Node>* values = block.find(key);
     if (values == nullptr) {
@@ -264,7 +264,7 @@ class PrintReader {
     return T;
   }
 
-  /// A pose that another block states already, from there to here, is not kept twice.
+  /// A pose that another block specifies already, from there to here, is not kept twice.
   static bool is_known(const Rig& rig, const PoseEdge& edge) {
     return std::ranges::any_of(rig.poses, [&edge](const PoseEdge& each) {
       const std::optional<Transform> there = each.a == edge.b && each.b == edge.a ? inverse(each.T_a_b) : std::nullopt;

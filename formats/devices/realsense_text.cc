@@ -43,7 +43,7 @@ std::vector<std::string> quoted_in(const std::string& text) {
   return names;
 }
 
-/// The words of a line behind its first colon.
+/// The words of a line after its first colon.
 std::vector<Node> words_behind_colon(const IniLine& line) {
   const std::size_t colon = line.node->span.offset + line.text.find(':');
   std::vector<Node> words;
@@ -104,7 +104,7 @@ class Printed {
   std::string rows_ = {};  ///< The key whose rows follow; empty: none.
 };
 
-/// Behind "width: " up to a comma, a bracket or a brace; of "[1.0, 2.0]" each number.
+/// After "width: " up to a comma, a bracket or a brace; of "[1.0, 2.0]" each number.
 std::vector<Node> values_behind(const IniLine& line, const std::string& key) {
   std::vector<Node> values;
   const std::size_t at = line.text.find(" " + key + ": ");

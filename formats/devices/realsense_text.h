@@ -27,7 +27,7 @@
 
 namespace fca::realsense {
 
-/// A block and what it states: numbers and words by the names of rs-enumerate-devices, without colons ("PPX").
+/// A block and what it specifies: numbers and words by the names of rs-enumerate-devices, without colons ("PPX").
 struct Block {
   enum class Kind { kStream, kMotion, kPose };
   Kind kind = Kind::kStream;

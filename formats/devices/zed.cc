@@ -2,7 +2,7 @@
 // SN<serial>.conf, the factory calibration of a ZED camera, which is only read (stereolabs/zed-opencv-native and
 // zed-open-capture, calibration.hpp; the writer of Stereolabs' tool for pairs of ZED X One).
 //
-//   [LEFT_CAM_HD] [RIGHT_CAM_HD]   and so on, for each size of images, which only the section's name states (kModes)
+//   [LEFT_CAM_HD] [RIGHT_CAM_HD]   and so on, for each size of images, which only the section's name specifies (kModes)
 //     fx fy cx cy                  px; the centre of the first pixel is (0, 0)
 //     k1 k2 k3 p1 p2               as OpenCV names them; k1 to k4 without p1 and p2 are cv::fisheye's
 //   [LEFT_DISTO] [RIGHT_DISTO]     k1 k2 p1 p2 k3 k4 k5 k6 for all sizes, before those of a section
@@ -49,7 +49,7 @@ std::string upper(std::string text) {
 
 struct Value {
   std::string key;  ///< In upper case.
-  Node number;      ///< What stands behind "=".
+  Node number;      ///< What stands after "=".
 };
 
 struct Section {

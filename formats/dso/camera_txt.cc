@@ -21,7 +21,7 @@ namespace {
 struct Lens {
   std::string_view name;
   std::string_view model;
-  std::span<const ParameterId> coefficients;  ///< Our parameters, behind fx fy cx cy.
+  std::span<const ParameterId> coefficients;  ///< Our parameters, after fx fy cx cy.
   std::size_t numbers;                        ///< That DSO demands.
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// DSO's camera.txt: see camera_txt.h. TUM-VI's folder has such files beside its chains, and that format reads and writes them,
+// DSO's camera.txt: see camera_txt.h. TUM-VI's folder has such files next to its chains, and that format reads and writes them,
 // too, where it is told to.
 #pragma once
 

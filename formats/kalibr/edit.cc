@@ -92,7 +92,7 @@ std::vector<fields::Field> Editor::fields_after(const Node& block, std::size_t i
   for (const PoseKey& pose : pose_keys(rig_.cameras[index].name)) {
     const bool there = text::find(block, pose.key, dialect_) != nullptr;
     const bool may_come = pose.key == imu_pose_key() || pose.key == "T_cn_cnm1";
-    // Cameras that come or change places are given every pose that this chain states of its cameras, also redundant ones.
+    // Cameras that come or change places are given every pose that this chain specifies of its cameras, also redundant ones.
     const bool habit = other_cameras() && states(pose.key);
     const bool comes = may_come && (habit || lacks_pose(said_, rig_, pose.a, pose.b));
     const std::optional<Transform> T = pose_in(rig_, pose.a, pose.b);

@@ -23,7 +23,7 @@ class Editor {
   /// Are the cameras other ones, or in another order?
   [[nodiscard]] bool other_cameras() const;
 
-  /// Blocks can be added and removed where they are blocks, and nothing beside them speaks of cameras by name.
+  /// Blocks can be added and removed where they are blocks, and nothing next to them speaks of cameras by name.
   [[nodiscard]] bool possible() const;
 
   /// `overlaps`: cam_overlaps of every camera of the rig, if it is known; for those that the base does not have.
@@ -40,12 +40,12 @@ class Editor {
   /// What the file's own statements are to say. Poses that follow from them need not be stated.
   [[nodiscard]] Rig said_by(std::span<const Kept> cameras) const;
   void edit_named_poses();
-  /// The fields of a block that states poses under the keys of `block`, and those that the file lacks.
+  /// The fields of a block that specifies poses under the keys of `block`, and those that the file lacks.
   [[nodiscard]] std::vector<fields::Field> fields_after(const text::Node& block, std::size_t index) const;
   [[nodiscard]] std::vector<fields::Field> fields_before(const text::Node& block, std::size_t index) const;
-  /// OpenVINS' chains state the inverse of T_cam_imu.
+  /// OpenVINS' chains specify the inverse of T_cam_imu.
   [[nodiscard]] std::string_view imu_pose_key() const;
-  /// Does a camera of the base state something under that key?
+  /// Does a camera of the base specify something under that key?
   [[nodiscard]] bool states(std::string_view key) const;
   /// cam_overlaps in the numbers of the chain as it will be.
   void count_overlaps(const text::Entry& camera, std::vector<Loss>& losses);

@@ -60,7 +60,7 @@ ProbeResult probe(const text::Document& document) {
   return {};
 }
 
-/// ConfigReader.py: what it asks for as soon as it opens a bag, and the offset it starts from where a chain states one.
+/// ConfigReader.py: what it asks for as soon as it opens a bag, and the offset it starts from where a chain specifies one.
 std::optional<ValueType> optional_value(const text::Document& document, std::string_view key) {
   const std::size_t slash = key.find('/');
   if (slash == std::string_view::npos) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses that a camera's block states, each in its own direction.
+// Poses that a camera's block specifies, each in its own direction.
 #pragma once
 
 #include <fca/formats/text/document.h>
@@ -25,10 +25,10 @@ struct PoseKey {
 /// A top-level T_cam1_cam0; nothing if the key is none.
 [[nodiscard]] std::optional<PoseKey> named_pose_key(const std::string& key);
 
-/// Adds what a file states under the key.
+/// Adds what a file specifies under the key.
 void add_pose(const PoseKey& pose, const Transform& T, Rig& rig);
 
-/// T_a_b as the rig states it, else as it follows from what it states.
+/// T_a_b as the rig specifies it, else as it follows from what it specifies.
 [[nodiscard]] std::optional<Transform> pose_in(const Rig& rig, std::string_view a, std::string_view b);
 
 /// Must a file that says `said` say T_a_b, too, to say what the rig says? Not what follows from it already.

@@ -11,8 +11,8 @@
 //       q: [x y z w] +- [...]                         a rotation vector's [rad], in the frame of cam1
 //       t: [x y z] +- [...]                           m
 //
-// The second file states the reprojection errors alone, "Reprojection error (cam0) [px]: mean 0.2, median 0.2, std: 0.1"; what
-// follows in it the camchain-imucam.yaml states, too.
+// The second file specifies the reprojection errors alone, "Reprojection error (cam0) [px]: mean 0.2, median 0.2, std: 0.1";
+// what follows in it the camchain-imucam.yaml specifies, too.
 #pragma once
 
 #include <fca/formats/text/document.h>
@@ -23,7 +23,7 @@ namespace fca::kalibr {
 /// Does the text begin as such a report does?
 [[nodiscard]] bool is_report(const text::Document& document);
 
-/// Adds the uncertainties that it states. Errors stand at their places.
+/// Adds the uncertainties that it specifies. Errors stand at their places.
 void read_report(const text::Document& document, Rig& rig, Diagnostics& diagnostics);
 
 }  // namespace fca::kalibr

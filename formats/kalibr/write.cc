@@ -120,7 +120,7 @@ std::vector<ExtraField> taken_over(const text::Document& base, const Rig& old, c
   return result;
 }
 
-/// What the input says beside its rig, and the chain, which says `there`, does not. `of_rig`: are the numbers of this
+/// What the input says besides its rig, and the chain, which says `there`, does not. `of_rig`: are the numbers of this
 /// cam_overlaps those of the rig's cameras?
 void list_extras(std::span<const ExtraField> extras, std::span<const ExtraField> there,
                  const std::function<bool(const ExtraField&)>& of_rig, std::vector<Loss>& losses) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A camera as text: fresh, and in a file that states another.
+// A camera as text: fresh, and in a file that specifies another.
 #include "layout.h"
 
 #include "../spelling.h"
@@ -36,7 +36,7 @@ Field size_field(const ImageSize& size) {
   return field;
 }
 
-/// What the file states under a key for the pose; nothing where it has no such key.
+/// What the file specifies under a key for the pose; nothing where it has no such key.
 std::optional<std::array<double, 6>> stated_under(const Node& root, std::string_view key) {
   const Node* node = text::find(root, key, kDialect);
   if (node == nullptr) return std::nullopt;
@@ -55,7 +55,7 @@ const Node* lens_node(const Node& root, std::string_view& key) {
   return nullptr;
 }
 
-/// The new pose beside those numbers of the old one that state the same.
+/// The new pose next to those numbers of the old one that specify the same.
 std::array<double, 6> moved(const std::array<double, 6>& there, const Transform& now) {
   std::array<double, 6> rt = rt_of(now);
   if (largest_difference(pose_of(there), now).distance <= kSameRotation) std::copy_n(there.begin(), 3, rt.begin());
@@ -63,7 +63,7 @@ std::array<double, 6> moved(const std::array<double, 6>& there, const Transform&
 }
 
 /// Is any camera's place to another, or in the frame, known? Else each file is of a camera alone, at its own origin, and joined
-/// they state no pose.
+/// they specify no pose.
 bool has_poses(const Rig& rig, const std::string& frame) {
   return std::ranges::any_of(rig.cameras, [&rig, &frame](const Camera& camera) {
     return camera.name != frame && pose_in(frame, rig, camera).has_value();

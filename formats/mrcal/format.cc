@@ -136,7 +136,7 @@ constexpr std::array kModels = {
     StoredModel{"pinhole", "LENSMODEL_PINHOLE", true, kReader, {}},
 };
 constexpr std::array kOwnFacts = {OwnFact{"valid_intrinsics_region, optimization_inputs"}};
-/// Of a format that states the poses of a pair alone; of others all cameras' or none's are known.
+/// Of a format that specifies the poses of a pair alone; of others all cameras' or none's are known.
 constexpr std::array kDemands = {Demand{"pose in a common frame", "extrinsics", &Format::pair_poses}};
 constexpr std::array kOfTheImages = {kRegion};
 

@@ -9,7 +9,7 @@
 //   valid_intrinsics_region   a polygon of pixels
 //   optimization_inputs, icam_intrinsics, icam_extrinsics   all observations of the calibration, in bytes, and whose they are
 //
-// mrcal states no unit of translations; its own examples are in metres. All files of a rig have the same reference.
+// mrcal specifies no unit of translations; its own examples are in metres. All files of a rig have the same reference.
 #pragma once
 
 #include "../schema/schema.h"
@@ -58,7 +58,7 @@ inline constexpr std::array kLenses = {LensModel{"LENSMODEL_PINHOLE", "pinhole",
 [[nodiscard]] std::vector<ParameterId> parameters_of(const LensModel& lens);
 [[nodiscard]] fields::Field intrinsics_field(const CameraModel& model, const LensModel& lens);
 
-/// T_camera_reference of the six numbers that a file states, and those numbers.
+/// T_camera_reference of the six numbers that a file specifies, and those numbers.
 [[nodiscard]] Transform pose_of(const std::array<double, 6>& rt);
 [[nodiscard]] std::array<double, 6> rt_of(const Transform& T_camera_reference);
 
@@ -70,7 +70,7 @@ inline constexpr std::array kLenses = {LensModel{"LENSMODEL_PINHOLE", "pinhole",
 extern const schema::Schema kSchema;
 extern const schema::PoseLayout kPose;
 
-/// The base, which states `old`, with another camera and, where the rig states one, its pose. Losses are listed.
+/// The base, which specifies `old`, with another camera and, where the rig specifies one, its pose. Losses are listed.
 [[nodiscard]] text::Document edited(const text::Document& base, const Rig& old, const Rig& rig, const Camera& camera,
                                     Written& written);
 /// A fresh file of a camera.

@@ -86,7 +86,7 @@ bool read_list(schema::Reading& reading, const Key& key, const Node& node, std::
   return good;
 }
 
-/// What stands behind the parameters of an omni lens.
+/// What stands after the parameters of an omni lens.
 void keep_rest(schema::Reading& reading, const std::vector<double>& numbers) {
   const Camera& camera = *reading.camera;
   const auto* const first = numbers.data() + kOmni.size();

@@ -7,7 +7,7 @@
 namespace fca::ncamera {
 
 /// type, distortion/type, distortion/parameters and intrinsics. The first row reads which lens it is, the others its numbers,
-/// behind the rows of the image's sides.
+/// after the rows of the image's sides.
 [[nodiscard]] bool read_lens(schema::Reading& reading, const schema::Key& key, const text::Node& node);
 [[nodiscard]] std::vector<schema::Statement> write_type(const schema::Subject& subject, const schema::Key& key);
 extern const schema::Mapping kDistortion;

@@ -83,7 +83,7 @@ void rename(Rig& rig, const std::string& from, const std::string& to) {
   }
 }
 
-/// The poses that the NCAMERA states are in its own frame.
+/// The poses that the NCAMERA specifies are in its own frame.
 void set_body(Rig& rig, const Body& body) {
   if (body.link == Link::kSame) return;
   rename(rig, std::string(schema::kImu), std::string(kBody));
@@ -92,7 +92,7 @@ void set_body(Rig& rig, const Body& body) {
   if (body.link == Link::kPose) rig.poses.push_back({std::string(schema::kImu), std::string(kBody), body.T_imu_body});
 }
 
-/// The same rig as its NCAMERA states it: the poses of the cameras in the NCAMERA, which is called as an IMU is.
+/// The same rig as its NCAMERA specifies it: the poses of the cameras in the NCAMERA, which is called as an IMU is.
 Rig in_body(Rig rig) {
   if (rig.kind_of(kBody) != FrameKind::kOther || std::ranges::find(rig.frames, kBody, &Frame::name) == rig.frames.end())
     return rig;

@@ -23,11 +23,11 @@ inline constexpr std::string_view kTuningPrefix = "svo.";
 
 inline constexpr std::string_view kImuSection = "imu_params";
 
-/// A fresh file, behind which SVO's sections stand where the rig states anything for them.
+/// A fresh file, after which SVO's sections stand where the rig specifies anything for them.
 [[nodiscard]] std::string composed(const Rig& rig, Written& written);
-/// SVO's two sections; "" where the rig states nothing for them.
+/// SVO's two sections; "" where the rig specifies nothing for them.
 [[nodiscard]] std::string composed_imu(const Rig& rig, Written& written);
-/// The rig's extra fields that a fresh file states.
+/// The rig's extra fields that a fresh file specifies.
 [[nodiscard]] std::vector<ExtraField> carried(const Rig& rig);
 
 }  // namespace fca::ncamera

@@ -152,7 +152,7 @@ class Editor {
   void change(std::string_view key, bool same) {
     const EditedCamera& first = cameras_.front();
     const bool there = value_in(root_, key) != nullptr;
-    // Beside a list no key is wanted that is not there.
+    // Next to a list no key is wanted that is not there.
     if (!there && is_coefficient(key) && value_in(root_, kCoefficientList) != nullptr) return;
     if (is_at_top(key)) {
       const Field* is = same && (there || must_state(first, key)) ? first.is(key) : nullptr;
@@ -179,7 +179,7 @@ class Editor {
     };
     const auto add = [&](std::string_view key) {
       if (value_in(frame, key) != nullptr) return change.add(camera.was(key), camera.is(key));
-      // instant-ngp reads cx and cy with the size that stands beside them.
+      // instant-ngp reads cx and cy with the size that stands next to them.
       const std::string_view beside = key == "w" ? "cx" : key == "h" ? "cy" : key;
       if (is_new(key) || is_new(beside)) change.add(nullptr, camera.is(key));
     };
@@ -194,7 +194,7 @@ class Editor {
     for (const AngleKey& key : kAngles) {
       if (value_in(frame, key.name) != nullptr) add_angle(key, camera, change);
     }
-    // instant-ngp looks for it beside the coefficients.
+    // instant-ngp looks for it next to the coefficients.
     const Field flag = fields::scalar(std::string(kIsFisheye), "true");
     if (value_in(frame, kIsFisheye) != nullptr) {
       add_flag(change);

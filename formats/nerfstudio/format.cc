@@ -84,7 +84,7 @@ std::string composed(const Rig& rig) {
   return text + "\n  ]\n}\n";
 }
 
-/// Of fisheyes without coefficients that the base does not state so already the first gets one that changes no pixel:
+/// Of fisheyes without coefficients that the base does not specify so already the first gets one that changes no pixel:
 /// instant-ngp takes them for pinholes. It is listed among the defaults.
 Rig with_coefficients(Rig rig, const std::optional<Rig>& old, Written& written) {
   constexpr double kTiny = 1e-12;

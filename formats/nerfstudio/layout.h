@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which object of a transforms.json states which number of which camera.
+// Which object of a transforms.json specifies which number of which camera.
 #pragma once
 
 #include <fca/formats/text/dialect.h>
@@ -55,12 +55,12 @@ inline constexpr std::array kAngles = {AngleKey{"x_fov", true, true},       Angl
 [[nodiscard]] bool is_coefficient(std::string_view key);
 /// The number of a coefficient in an object: of its list, else under its key; null if there is none.
 [[nodiscard]] const text::Node* coefficient_in(const text::Node& object, std::string_view key);
-/// Does the object state coefficients, by keys or as a list?
+/// Does the object specify coefficients, by keys or as a list?
 [[nodiscard]] bool has_coefficients(const text::Node& object);
 /// Do the coefficients at the top count, and none of a frame? k4 alone does not do that.
 [[nodiscard]] bool coefficients_at_top(const text::Node& root);
 
-/// A camera, and where it is stated.
+/// A camera, and where it is specified.
 struct Group {
   std::string name;                       ///< "cam0", or its label.
   std::vector<const text::Node*> frames;  ///< The images of it; none where the file has none.
@@ -69,7 +69,7 @@ struct Group {
 /// The cameras of a file, in the order of their first frames; at least one. Every frame must be an object.
 [[nodiscard]] std::vector<Group> groups_of(const text::Node& root);
 
-/// The object that states a number of the camera to nerfstudio: the top if the key is there, else its first frame (the top
+/// The object that specifies a number of the camera to nerfstudio: the top if the key is there, else its first frame (the top
 /// where there is none).
 [[nodiscard]] const text::Node& owner_of(const text::Node& root, const Group& group, std::string_view key);
 

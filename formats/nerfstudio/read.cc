@@ -159,7 +159,7 @@ class CameraReader {
     return camera_.image_size.has_value();
   }
 
-  /// Is distortion_params, where it counts, a list of all coefficients? Warns of keys beside it that say otherwise.
+  /// Is distortion_params, where it counts, a list of all coefficients? Warns of keys next to it that say otherwise.
   bool check_list() {
     const Node& owner = owner_of(root_, group_, kCoefficients.front());
     const Node* list = value_in(owner, kCoefficientList);
@@ -200,11 +200,11 @@ class CameraReader {
   }
 
   struct Stated {
-    const Node* node = nullptr;  ///< Null: nothing states it.
+    const Node* node = nullptr;  ///< Null: nothing specifies it.
     double value = 0.0;
   };
 
-  /// Nothing, with an error, where what stands there states none.
+  /// Nothing, with an error, where what stands there specifies none.
   std::optional<Stated> focal_length(std::string_view key, bool horizontal) {
     if (const Node* node = find(key)) {
       const std::optional<double> value = reader_.real(*node, key);
@@ -319,7 +319,7 @@ void warn_of_misspelt(fields::Reader& reader, const Node& object, std::set<std::
   }
 }
 
-/// What stands beside cameras: at the top with its value, of the images how many there are and how many have a key.
+/// What stands next to cameras: at the top with its value, of the images how many there are and how many have a key.
 std::vector<ExtraField> others(const Node& root) {
   std::vector<ExtraField> extras;
   std::map<std::string, std::size_t> in_frames;

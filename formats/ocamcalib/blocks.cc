@@ -60,7 +60,7 @@ class BlockFinder {
     return word;
   }
 
-  /// Four blocks instead of five: behind the direct polynomial come a centre, three affine parameters and a size, and no more.
+  /// Four blocks instead of five: after the direct polynomial come a centre, three affine parameters and a size, and no more.
   bool inverse_missing() const {
     std::vector<std::size_t> lengths;
     for (std::size_t i = line_ + 1; i < lines_.size(); ++i) {
@@ -82,7 +82,7 @@ class BlockFinder {
   }
   static std::string shown(const Node& word) { return word.value.substr(0, 40); }
 
-  /// The one line before a block. Behind a block the program goes on where its last number ended: what else stands on that line
+  /// The one line before a block. After a block the program goes on where its last number ended: what else stands on that line
   /// is the comment.
   bool skip_comment(const std::string& block) {
     const bool first = block == "direct polynomial";

@@ -41,7 +41,7 @@ bool has_shape(const std::vector<Node>& lines) {
          numbers[count - 2]->items.size() == 3 && numbers[count - 1]->items.size() == 2;
 }
 
-/// A README that speaks of such files: more words than a file with its comments has beside its numbers.
+/// A README that speaks of such files: more words than a file with its comments has besides its numbers.
 bool is_prose(const std::vector<Node>& lines) {
   const auto numbers = std::ranges::count_if(lines, is_numbers);
   const auto words = std::ranges::count_if(lines, [](const Node& line) { return !line.items.empty() && !is_numbers(line); });

@@ -19,7 +19,7 @@ namespace fca::ocamcalib {
 
 namespace {
 
-constexpr std::size_t kFirstCoefficient = 5;  // behind cx cy c d e
+constexpr std::size_t kFirstCoefficient = 5;  // after cx cy c d e
 /// The toolbox's own degree is 4, and programs with places for a fixed number have five (camodocal, MATLAB).
 constexpr std::size_t kUsualCoefficients = 5;
 /// In the words of exportData2TXT.m.
@@ -87,7 +87,7 @@ void edit_polynomial(text::Document& document, const PolynomialNodes& nodes, std
   }
 }
 
-/// Adds the block that a file of four blocks lacks, behind the direct polynomial's line.
+/// Adds the block that a file of four blocks lacks, after the direct polynomial's line.
 void insert_inverse(text::Document& document, const Blocks& blocks, std::span<const double> values) {
   const std::string line_break(document.source().line_break());
   std::string lines;

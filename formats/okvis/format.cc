@@ -60,7 +60,7 @@ bool all_held(const text::Document& document, const Rig& rig) {
                              [&document](const Camera& camera) { return layout_holds(document, model_info(camera.model).id); });
 }
 
-/// Are there the sections that hold what the rig states beside the cameras?
+/// Are there the sections that hold what the rig specifies besides the cameras?
 bool has_sections(const text::Document& document, const Rig& rig) {
   const bool first = is_first_generation(document);
   const auto has = [&document](std::string_view key) { return text::find(document.root(), key, kTable.dialect) != nullptr; };
@@ -79,7 +79,7 @@ std::vector<std::string> programs_of(const text::Document& document, const Rig& 
   return {"okvis2"};
 }
 
-/// What stands beside the rig's noise in other files.
+/// What stands next to the rig's noise in other files.
 void list_imu_rate(const Rig& rig, const Message& why, std::vector<Loss>& losses) {
   if (rig.imus.empty() || !rig.imus.front().rate_hz) return;
   losses.push_back(

@@ -32,7 +32,7 @@ int whole(double rate) { return static_cast<int>(std::lrint(std::clamp(rate, 1.0
 constexpr int kStockCameraRate = 20;
 constexpr int kStockImuRate = 200;
 
-/// Of a fresh file, where nobody states it.
+/// Of a fresh file, where nobody specifies it.
 std::vector<Statement> stock_rate(const Subject& subject, const Key& key, int rate) {
   if (subject.fresh == nullptr) return {};
   subject.fresh->defaults.push_back({key.text(), std::to_string(rate), true, false});
@@ -116,7 +116,7 @@ constexpr Key cameras() {
                                              Key{"cameras", FactKind::kOther, read_camera, nullptr, {.mapping = &kCamera}}));
 }
 
-/// A number of the IMU under the same name in both generations; what a fresh file has where none is stated.
+/// A number of the IMU under the same name in both generations; what a fresh file has where none is specified.
 constexpr std::array<Key, 4> noise(double gyroscope, double accelerometer, double gyroscope_walk, double accelerometer_walk) {
   return {schema::imu_number("sigma_g_c", &Imu::gyroscope_noise_density, gyroscope),
           schema::imu_number("sigma_a_c", &Imu::accelerometer_noise_density, accelerometer),

@@ -28,7 +28,7 @@ extern const schema::Schema kOkvis1;
 
 /// A fresh file by kOkvis2 or kOkvis1.
 [[nodiscard]] std::string composed(const schema::Schema& table, const Rig& rig, Written& written);
-/// The rig's extra fields that it states.
+/// The rig's extra fields that it specifies.
 [[nodiscard]] std::vector<ExtraField> carried_over(const schema::Schema& table, const Rig& rig);
 
 }  // namespace fca::okvis

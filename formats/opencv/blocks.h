@@ -38,7 +38,7 @@ class FieldMaker {
 [[nodiscard]] std::vector<fields::Field> stereo_pose_fields(const Rig& rig, const std::string& first, const std::string& second,
                                                             const Layout& layout, const text::Document* base);
 
-/// Frame to which MC-Calib's poses take: what the rig states of the camera, else its first camera. Nothing if neither.
+/// Frame to which MC-Calib's poses take: what the rig specifies of the camera, else its first camera. Nothing if neither.
 struct ReferencePose {
   Transform T;
   int group = 0;

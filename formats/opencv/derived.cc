@@ -69,7 +69,7 @@ const Origin* stale_origin(const std::string& key, const Changes& changes) {
     const bool is_row = row.whole ? word == row.word : word.find(row.word) != std::string::npos;
     if (is_row && ((row.from_lens && changes.lens) || (row.from_pose && changes.pose))) return row.origin;
   }
-  // The same cameras once more, under names that are not read: "camera_matrix_left" beside "M1".
+  // The same cameras once more, under names that are not read: "camera_matrix_left" next to "M1".
   if (changes.lens && name_of(key).role != Role::kNone) return &kSecondStatement;
   return nullptr;
 }

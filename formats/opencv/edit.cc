@@ -33,7 +33,7 @@ std::optional<std::vector<std::size_t>> places_in(const Rig& old, const Rig& rig
       places.push_back(kNew);
       continue;
     }
-    // New cameras stand behind the old ones.
+    // New cameras stand after the old ones.
     const auto place = static_cast<std::size_t>(found - old.cameras.begin());
     if (place < next || (!places.empty() && places.back() == kNew)) return std::nullopt;
     places.push_back(place);

@@ -22,7 +22,7 @@ struct Base {
 /// Reads a file that is to be edited. Where it does not say what its four numbers are, `rig` does: they are the same numbers.
 [[nodiscard]] std::optional<Base> read_base(const text::Document& document, const Rig& rig);
 
-/// What a file says beside cameras and poses.
+/// What a file says besides cameras and poses.
 [[nodiscard]] std::vector<ExtraField> extras_of(const text::Document& document);
 
 struct Edited {

@@ -104,7 +104,7 @@ ModelKey find_model_key(const Node& mapping) {
   return foreign;
 }
 
-/// Settings of a surround view, beside camera_matrix and dist_coeffs: its program calls cv::fisheye.
+/// Settings of a surround view, next to camera_matrix and dist_coeffs: its program calls cv::fisheye.
 bool is_of_surround_view(const Node& mapping) {
   const auto has = [&mapping](std::string_view key) { return text::find(mapping, key, kDialect) != nullptr; };
   return has("project_matrix") && (has("scale_xy") || has("shift_xy"));
@@ -117,7 +117,7 @@ bool has_four_numbers(const Node& mapping, std::string_view key) {
   return data != nullptr && data->is_sequence() && data->items.size() == kFour;
 }
 
-/// Is that what the end of a file leaves of a matrix: nothing, or "rows", behind its tag? Beside another camera's the tag may
+/// Is that what the end of a file leaves of a matrix: nothing, or "rows", after its tag? Next to another camera's the tag may
 /// be missing, too.
 bool is_cut_off(const Node& value, bool beside_another) {
   const bool nothing = value.kind == text::NodeKind::kNull || (value.is_scalar() && value.value.empty());

@@ -43,7 +43,7 @@ struct CameraKeys {
   std::string map;  ///< Key of the camera's own mapping; empty: its keys stand at the top level.
   std::string matrix;
   std::string distortion;  ///< Empty: there is none.
-  std::string radial;      ///< MATLAB: k1 k2 [k3], beside `tangential`.
+  std::string radial;      ///< MATLAB: k1 k2 [k3], next to `tangential`.
   std::string tangential;
   std::string xi;
   bool transposed = false;  ///< MATLAB

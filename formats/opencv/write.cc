@@ -153,7 +153,7 @@ Message headline(const std::string& layout, const Rig& rig) {
   return {layout == "left-right" ? Code::kOpencvWroteLeftRight : Code::kOpencvWroteOmnidir};
 }
 
-/// Sizes that the edited file has no keys for: it would have to begin to state one for both cameras.
+/// Sizes that the edited file has no keys for: it would have to begin to specify one for both cameras.
 void list_lost_sizes(const Rig& rig, const Layout& layout, std::vector<Loss>& losses) {
   if (layout.in_maps() || layout.size.stated()) return;
   for (const Camera& camera : rig.cameras) {

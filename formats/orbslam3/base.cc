@@ -31,7 +31,7 @@ bool is_of_a_mode(std::string_view key) {
   return std::ranges::find(program_tuning(), tuning->key, &TuningKey::key) == program_tuning().end();  // those are of all
 }
 
-/// The type that the base states, where the camera put in is of another: "Rectified" of a camera without distortion is
+/// The type that the base specifies, where the camera put in is of another: "Rectified" of a camera without distortion is
 /// PinHole's other name for as long as it has none.
 void take_type_as_stated(const Base& base, std::string_view model, std::vector<fields::Field>& before) {
   const text::Node* stated = find_key(base.document, "Camera.type");
@@ -63,9 +63,9 @@ Sensor sensor_of(const text::Document& document, const Rig& rig, Style style) {
   const bool depth = find_key(document, "RGBD.DepthMapFactor") != nullptr || find_key(document, "DepthMapFactor") != nullptr;
   const bool posed = rig.cameras.size() > 1 && rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
   const text::Node* type = find_key(document, "Camera.type");
-  // Settings of an RGB-D sensor state a baseline, too.
+  // Settings of an RGB-D sensor specify a baseline, too.
   const bool said = style_of(document) != Style::kV1 || (type != nullptr && type->value == "Rectified");
-  // Before V1.0, Camera.bf is read beside a PinHole's distortion, too, and follows its focal length.
+  // Before V1.0, Camera.bf is read next to a PinHole's distortion, too, and follows its focal length.
   const bool before_v1 = style == Style::kOld || style == Style::kOrbSlam2;
   const bool states_bf = before_v1 && rig.cameras.size() == 1 && rig.baseline_m &&
                          model_info(rig.cameras.front().model).id == "radtan" && find_key(document, "Camera.bf") != nullptr;
@@ -102,7 +102,7 @@ std::vector<fields::Field> fields_of(const Base& base, const Rig& rig, std::span
   std::vector<fields::Field> before = settings_fields(base.rig, base.target);
   take_type_as_stated(base, model_info(rig.cameras.front().model).id, before);
   const auto same_facts = [](Camera stated, const Camera& meant) {
-    stated.lens_circle = meant.lens_circle;  // which no file states
+    stated.lens_circle = meant.lens_circle;  // which no file specifies
     return stated == meant;
   };
   const bool same = std::ranges::equal(base.rig.cameras, rig.cameras, same_facts) && base.rig.poses == rig.poses;

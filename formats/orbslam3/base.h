@@ -26,13 +26,13 @@ struct Base {
 /// Nothing where the document is null or no settings file.
 [[nodiscard]] std::optional<Base> read_base(const text::Document* document);
 
-/// The fields that the base is taken from. A mode that was asked for has exactly its keys: the base's of other modes are among
+/// The fields that the base is taken from. A mode that was requested has exactly its keys: the base's of other modes are among
 /// them, to go. Else what the base says in a mode that the rig leaves, and the rig still says, stays, for it is as true as
 /// before.
 [[nodiscard]] std::vector<fields::Field> fields_of(const Base& base, const Rig& rig, std::span<const fields::Field> after,
                                                    const WriteOptions& options);
 
-/// Values of the base that no rig states and that the mode asked for has no use for.
+/// Values of the base that no rig specifies and that the mode asked for has no use for.
 void list_left_keys(const Base& base, std::span<const fields::Field> after, const Target& target, std::vector<Loss>& losses);
 
 /// A base whose bf and poses are of two baselines: the new bf follows the poses.
@@ -41,7 +41,7 @@ void warn_of_other_baseline(const Base& base, std::span<const fields::Field> aft
 /// The base's mode is not to be lost in silence: its keys stay, and nothing reads them.
 void warn_of_poorer_mode(const Base& base, const Rig& rig, const Target& target, Diagnostics& diagnostics);
 
-/// Of the values that no input states, those that the base does not already have.
+/// Of the values that no input specifies, those that the base does not already have.
 [[nodiscard]] std::vector<fields::Field> new_fields(const std::vector<fields::Field>& fields, const Base& base);
 
 }  // namespace fca::orbslam3

@@ -23,7 +23,7 @@ struct OverlapColumn {
   std::size_t camera = 0;  ///< Of whose image: the first or the second.
   int computed = 0;
 };
-/// Those that the target states; empty where it states none. Where the cameras share nothing, the whole width.
+/// Those that the target specifies; empty where it specifies none. Where the cameras share nothing, the whole width.
 [[nodiscard]] std::vector<OverlapColumn> overlap_columns(const Rig& rig, const Target& target);
 
 /// Which of the base's cameras the first and the second are, where their images have the same columns; `replaced`:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a fresh file is spelled, and which of its values no input states.
+// How a fresh file is spelled, and which of its values no input specifies.
 #include "settings.h"
 
 #include "../composed.h"
@@ -15,7 +15,7 @@ using fields::Field;
 
 namespace {
 
-/// What to tell people beside a value that no input states.
+/// What to tell people next to a value that no input specifies.
 struct Note {
   std::string_view comment;
   bool look_at_it = false;
@@ -25,7 +25,7 @@ constexpr Note kFrameRateNote = {"Default. Frames per second: not in the input, 
                                  true};
 constexpr Note kPoseNote = {"Default. Identity: not in the input, and slam_no_opt does not start without it.", true};
 
-/// The note on a field; nothing on a value that an input states, or that is told with its group.
+/// The note on a field; nothing on a value that an input specifies, or that is told with its group.
 std::optional<Note> note_on(const Field& field, const Target& target, const Rig& rig) {
   if (field.key == "Camera.fps" && !target.frame_rate_known) return kFrameRateNote;
   if (field.key == "Camera.Tbc" && !rig.resolve("imu0", rig.cameras.front().name)) return kPoseNote;

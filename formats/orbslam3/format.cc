@@ -48,7 +48,7 @@ constexpr std::array kDemands = {
 constexpr std::array<std::string_view, 10> kOfTheImages = {"LEFT.P",          "LEFT.K",          "LEFT.height",  "LEFT.width",
                                                            "RIGHT.P",         "RIGHT.K",         "RIGHT.height", "RIGHT.width",
                                                            "Camera.newWidth", "Camera.newHeight"};
-/// Of both raw cameras and their rectification, as stereo_euroc reads them beside Camera.*.
+/// Of both raw cameras and their rectification, as stereo_euroc reads them next to Camera.*.
 constexpr std::array<std::string_view, 8> kOfTheLenses = {"LEFT.D",  "LEFT.K",  "LEFT.R",  "LEFT.P",
                                                           "RIGHT.D", "RIGHT.K", "RIGHT.R", "RIGHT.P"};
 

@@ -37,7 +37,7 @@ inline constexpr std::array kStyleNames = {StyleName{"v1", Style::kV1}, StyleNam
   return std::nullopt;
 }
 
-/// One key of a camera, behind its prefix "Camera1.", and the parameter of our model it holds (or the constant it must be).
+/// One key of a camera, after its prefix "Camera1.", and the parameter of our model it holds (or the constant it must be).
 struct Slot {
   constexpr Slot(std::string_view name, ParameterId id, bool needed = true) : key(name), parameter(id), required(needed) {}
   constexpr Slot(std::string_view name, std::nullopt_t) : key(name), required(false) {}
@@ -76,7 +76,7 @@ struct PoseKeys {
 };
 [[nodiscard]] PoseKeys pose_keys(Style style);
 
-/// The key under which a document states the first camera in the IMU; "" if it does not.
+/// The key under which a document specifies the first camera in the IMU; "" if it does not.
 [[nodiscard]] std::string_view imu_pose_key(const text::Document& document);
 
 /// slam_no_opt's time offset, stated the other way round: t_image = t_imu + delay [s]. It stands in the fork's own files; no

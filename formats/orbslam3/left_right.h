@@ -12,7 +12,7 @@
 
 namespace fca::orbslam3 {
 
-/// Nothing where any of the keys is missing, or they are no rectified pair beside each other.
+/// Nothing where any of the keys is missing, or they are no rectified pair next to each other.
 [[nodiscard]] std::optional<RectifiedPair> read_left_right(const text::Document& document);
 
 /// The coefficients that cv::initUndistortRectifyMap takes for a camera: 5, 8, 12 or 14; nothing of a model that it has not.

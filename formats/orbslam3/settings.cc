@@ -44,7 +44,7 @@ void add_camera(const Camera& camera, const Layout& layout, std::string_view pre
   }
 }
 
-/// slam_no_opt's RIGHT.K, RIGHT.D, CAMERA.R, CAMERA.T (p_right = R p_left + T), and LEFT.* beside them.
+/// slam_no_opt's RIGHT.K, RIGHT.D, CAMERA.R, CAMERA.T (p_right = R p_left + T), and LEFT.* next to them.
 void add_right_camera(const Rig& rig, const Layout& layout, std::vector<Field>& fields) {
   const auto add_side = [&](std::string_view side, const Camera& camera) {
     const auto value = [&camera](ParameterId id) { return parameter(camera.model, id).value(); };

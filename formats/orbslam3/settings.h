@@ -17,7 +17,7 @@
 
 namespace fca::orbslam3 {
 
-/// Of upstream's examples, in Hz: where nobody states one.
+/// Of upstream's examples, in Hz: where nobody specifies one.
 inline constexpr double kUpstreamFrameRate = 20.0;
 
 /// ORB-SLAM3's sensor modes.
@@ -44,9 +44,10 @@ struct Target {
   bool frame_rate_known = false;
   Tuning tuning = {};
   std::optional<double> max_angle_rad = {};  ///< What counts as lens, from the axis.
-  bool states_delay = false;                 ///< The base states the first camera's time offset, under kDelayKey.
-  std::string_view imu_pose_key = {};  ///< Under which the base states the first camera's pose, also where no mode asks for it.
-  bool states_rectification = false;   ///< ORB-SLAM2's LEFT.* and RIGHT.*, of Rig::rectified.
+  bool states_delay = false;                 ///< The base specifies the first camera's time offset, under kDelayKey.
+  std::string_view imu_pose_key =
+      {};  ///< Under which the base specifies the first camera's pose, also where no mode asks for it.
+  bool states_rectification = false;  ///< ORB-SLAM2's LEFT.* and RIGHT.*, of Rig::rectified.
 };
 
 /// Two cameras of one pair whose images are already rectified: one set of intrinsics without distortion, and a baseline.
@@ -66,11 +67,11 @@ struct Target {
 /// Clauses as those of one argument: "a, b and c".
 [[nodiscard]] std::vector<Message> enumerated(std::vector<Message> clauses);
 
-/// Which of the fields hold a value that no input states.
+/// Which of the fields hold a value that no input specifies.
 [[nodiscard]] std::vector<DefaultedValue> defaulted(const std::vector<fields::Field>& fields, const Target& target,
                                                     const Rig& rig);
 
-/// A fresh file: `headline` as its first comment, the fields under headings, a comment at every value that no input states.
+/// A fresh file: `headline` as its first comment, the fields under headings, a comment at every value that no input specifies.
 [[nodiscard]] std::optional<text::Document> compose(const std::vector<fields::Field>& fields, const Target& target,
                                                     const Rig& rig, std::string_view headline, Diagnostics& diagnostics);
 

@@ -80,7 +80,7 @@ std::optional<ValueType> optional_value(const text::Document& document, std::str
   const bool v1 = style_of(document) == Style::kV1;
   if (v1 && std::ranges::find(kFilesOfTheMap, key) != kFilesOfTheMap.end()) return ValueType::kText;
   const TuningKey* row = find_tuning_key(key);
-  // The columns that both cameras see are a stereo pair's, whose settings state them.
+  // The columns that both cameras see are a stereo pair's, whose settings specify them.
   if (row == nullptr || !row->optional || row->note == tuning_key::kOverlapNote || key != (v1 ? row->key : row->old_key))
     return std::nullopt;
   return row->whole ? ValueType::kInteger : ValueType::kReal;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keys that tune ORB-SLAM or describe its images and say nothing of the geometry. What an input states is kept through a change
-// of style or sensor; for the rest upstream's example values are written, and said.
+// Keys that tune ORB-SLAM or describe its images and say nothing of the geometry. What an input specifies is kept through a
+// change of style or sensor; for the rest upstream's example values are written, and said.
 #pragma once
 
 #include "layout.h"
@@ -24,8 +24,8 @@ struct TuningKey {
   std::string_view old_key;    ///< the name before V1.0
   bool whole = false;          ///< An int to the parsers; else a real.
   double upstream = 0.0;       ///< Value in upstream's Examples/*/*.yaml; none for optional keys.
-  bool optional = false;       ///< Upstream's value is not written where the input states none.
-  std::string_view note = {};  ///< What to tell people, in a comment, beside a value that no input states.
+  bool optional = false;       ///< Upstream's value is not written where the input specifies none.
+  std::string_view note = {};  ///< What to tell people, in a comment, next to a value that no input specifies.
   bool look_at_it = false;     ///< They must check it; the others are tuning.
   /// What makes sense: the first positive double for sizes, rates and thresholds that are divided by or drawn with.
   double lowest = std::numeric_limits<double>::min();
@@ -75,20 +75,20 @@ inline constexpr TuningKey kInsertKeyFrames{"IMU.InsertKFsWhenLost", "InsertKFsW
 /// ORBextractor.* and Viewer.*, in upstream's order: every mode exits without them.
 [[nodiscard]] std::span<const TuningKey> program_tuning();
 
-/// What one input states of them.
+/// What one input specifies of them.
 class Tuning {
  public:
   Tuning() = default;
   explicit Tuning(const text::Document& document);
 
-  /// Does the input state it?
+  /// Does the input specify it?
   [[nodiscard]] bool states(const TuningKey& key) const { return stated_.contains(key.key); }
-  /// What the input states of the columns that both cameras see, as those of other cameras: `from` tells for the first and the
-  /// second which of the input's it is; nothing where its images are others, and their columns are forgotten.
+  /// What the input specifies of the columns that both cameras see, as those of other cameras: `from` tells for the first and
+  /// the second which of the input's it is; nothing where its images are others, and their columns are forgotten.
   void move_overlap(const std::array<std::optional<std::size_t>, 2>& from);
-  /// What another program's file states in its own words.
+  /// What another program's file specifies in its own words.
   void take(const TuningKey& key, double value) { stated_.emplace(key.key, value); }
-  /// The value that the input states.
+  /// The value that the input specifies.
   [[nodiscard]] std::optional<double> stated(const TuningKey& key) const;
   /// The key as that style spells it, with the input's value, else with `otherwise`, else with upstream's.
   [[nodiscard]] fields::Field field(const TuningKey& key, Style style, std::optional<double> otherwise = {}) const;

@@ -309,7 +309,7 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   if (base != nullptr) target.tuning = base->target.tuning;
   if (base != nullptr) target.tuning.move_overlap(same_images(base->rig, rig, options.replaced));
   if (base != nullptr && !options.rewrite && base->target.style == target.style) {
-    // A mode without IMU keeps a pose that the base states beside its mode, not one of the mode it leaves.
+    // A mode without IMU keeps a pose that the base specifies besides its mode, not one of the mode it leaves.
     const bool leaves_inertial = base->target.sensor.inertial && !target.sensor.inertial;
     target.states_delay = base->target.states_delay;
     if (!leaves_inertial && (options.sensor.empty() || target.sensor.inertial)) target.imu_pose_key = base->target.imu_pose_key;

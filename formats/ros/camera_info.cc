@@ -202,7 +202,7 @@ class YamlFinder {
     return true;
   }
 
-  /// Has a Rig members for it? Binning and roi are in its numbers, and as read beside them.
+  /// Has a Rig members for it? Binning and roi are in its numbers, and as read next to them.
   [[nodiscard]] bool is_read(std::string_view key) const {
     const std::array<std::string_view, 8> known = {
         keys_.width, keys_.height, keys_.K, keys_.D, keys_.R, keys_.P, kModel, keys_.is_message ? "header" : "camera_name"};

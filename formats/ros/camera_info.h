@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a camera_info states and where, whatever its syntax. Reading takes its numbers, editing its nodes.
+// What a camera_info specifies and where, whatever its syntax. Reading takes its numbers, editing its nodes.
 #pragma once
 
 #include "layout.h"

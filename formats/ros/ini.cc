@@ -44,7 +44,7 @@ class IniFinder {
   }
 
  private:
-  /// The line behind a key; nothing, with an error, where there is none.
+  /// The line after a key; nothing, with an error, where there is none.
   std::optional<std::size_t> value_of(const IniSection& section, std::string_view key) {
     const auto found = std::ranges::find(section.lines, key, &IniLine::text);
     if (found == section.lines.end() || found + 1 == section.lines.end()) {

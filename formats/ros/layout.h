@@ -53,12 +53,12 @@ struct Reduction {
 /// The camera of the whole sensor's image, of one whose pixels are the published ones.
 [[nodiscard]] CameraModel unreduced(const CameraModel& model, const Reduction& reduction);
 
-/// The frame in which P states a camera's place. A pair has one: StereoCameraModel asserts that fx', fy' and cy' of both are
+/// The frame in which P specifies a camera's place. A pair has one: StereoCameraModel asserts that fx', fy' and cy' of both are
 /// equal.
 [[nodiscard]] std::string frame_of(const Projection& P);
 [[nodiscard]] bool is_rectified_frame(std::string_view frame);
 
-/// T_rectified_camera, as R and P state it.
+/// T_rectified_camera, as R and P specify it.
 [[nodiscard]] Transform pose_of(const Matrix3& R, const Projection& P);
 
 /// Of a camera that is rectified as it is: [K | 0].

@@ -224,7 +224,7 @@ class CameraReader {
     return result;
   }
 
-  /// Is it [fx 0 cx, 0 fy cy, 0 0 1] with a column behind? A warning if not: the camera is known without it.
+  /// Is it [fx 0 cx, 0 fy cy, 0 0 1] with a column after? A warning if not: the camera is known without it.
   bool check_projection(const Numbers& P) {
     if (P.values[0] == 0.0 || P.values[5] == 0.0) {
       reader_.say(*P.place, P.all_zero() ? Code::kRosProjectionOfZeros : Code::kRosProjectionNoFocalLength);

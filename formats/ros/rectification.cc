@@ -91,7 +91,7 @@ Matrix3 matrix_of(const Transform& T) {
   return {T(0, 0), T(0, 1), T(0, 2), T(1, 0), T(1, 1), T(1, 2), T(2, 0), T(2, 1), T(2, 2)};
 }
 
-/// What a camera's file states of it.
+/// What a camera's file specifies of it.
 struct Stated {
   std::optional<PoseEdge> place;         ///< T_frame_camera in a rectified frame.
   std::optional<Projection> projection;  ///< Where P is not [K | ..].
@@ -128,7 +128,7 @@ Stated stated_of(const Rig& rig, const Camera& camera) {
   return stated;
 }
 
-/// The rectified image of a camera whose P states the same K, or what its file states.
+/// The rectified image of a camera whose P specifies the same K, or what its file specifies.
 Rectified as_stated(const Camera& camera, const Stated& stated) {
   Rectified result;
   result.P = stated.projection.value_or(projection_of(camera_matrix_of(camera.model)));
@@ -142,7 +142,7 @@ Rectified as_stated(const Camera& camera, const Stated& stated) {
   return result;
 }
 
-/// Do the files of two cameras state a pair, in which they are as the rig says?
+/// Do the files of two cameras specify a pair, in which they are as the rig says?
 bool states_pair(const Rig& rig, const Stated& first, const Stated& second, const Transform& T_second_first) {
   if (!first.place || !second.place || first.place->a != second.place->a) return false;
   Rig files;
@@ -195,7 +195,7 @@ bool choose(const Rig& rig, const Transform& T_second_first, Rectification& resu
   return true;
 }
 
-/// The cameras of the pair that the rig states.
+/// The cameras of the pair that the rig specifies.
 void take_stated_pair(const Rig& rig, Rectification& result) {
   const RectifiedPair& pair = *rig.rectified;
   for (std::size_t i = 0; i < 2; ++i) {

@@ -14,7 +14,7 @@ namespace fca::ros {
 struct Rectified {
   Matrix3 R = kIdentity;
   Projection P{};
-  bool stated = false;  ///< P's image is one that a file stated for this camera, beside K.
+  bool stated = false;  ///< P's image is one that a file stated for this camera, next to K.
 };
 
 struct Rectification {
@@ -29,8 +29,8 @@ struct Rectification {
   std::optional<PoseEdge> restated;
 };
 
-/// R and P are those of the pair that the rig states (Rig::rectified), or its files (`extra_fields` and poses in rectified
-/// frames), where these still agree with the poses of the rig; else of two cameras beside each other that see something in
+/// R and P are those of the pair that the rig specifies (Rig::rectified), or its files (`extra_fields` and poses in rectified
+/// frames), where these still agree with the poses of the rig; else of two cameras next to each other that see something in
 /// common: both turned by half the rotation between them, and then so that their rows lie along the baseline. Further cameras
 /// are rectified alone.
 [[nodiscard]] Rectification rectification_of(const Rig& rig);

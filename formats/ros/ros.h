@@ -14,7 +14,7 @@
 //   binning_x, binning_y, roi    (read since image_common 4.1 and Noetic) the images are a part of the sensor's: u' = (u - x) /
 //   bin
 //
-// R and P of one file state T_rectified_camera = [R | x y 0]; a pair shares the frame, and with it fx', fy' and cy' of P.
+// R and P of one file specify T_rectified_camera = [R | x y 0]; a pair shares the frame, and with it fx', fy' and cy' of P.
 #pragma once
 
 #include <fca/formats/format.h>

@@ -94,7 +94,7 @@ class RigReader {
     return true;
   }
 
-  /// What stands beside the keys that are read. Of equal keys the one that counts.
+  /// What stands next to the keys that are read. Of equal keys the one that counts.
   void keep_others(const Node& mapping, std::span<const std::string_view> read, const std::string& owner) {
     for (const text::Entry& entry : mapping.entries) {
       const std::string& key = entry.key.value;

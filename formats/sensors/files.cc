@@ -77,7 +77,7 @@ std::vector<std::string> missing_in(const Files& files, const Imu& imu) {
   return missing;
 }
 
-/// Does the rig state what stands in the IMU's file and is no IMU's: a time offset, tuning?
+/// Does the rig specify what stands in the IMU's file and is no IMU's: a time offset, tuning?
 bool states_for_imu_file(const Files& files, const Rig& rig) {
   const auto is_kept = [&rig](const schema::Key& key) {
     return !key.with.token.empty() && !key.with.other.empty() &&

@@ -28,7 +28,7 @@ struct Files {
   std::string_view imu_place;
   std::string_view camera_program;  ///< Ids of the consumers that read them.
   std::string_view imu_program;
-  bool demands_imu = false;  ///< Fresh files have that of an IMU, whether the input states one or not.
+  bool demands_imu = false;  ///< Fresh files have that of an IMU, whether the input specifies one or not.
   Code imu_demands = {};     ///< Else: why an IMU has no file that lacks numbers. {0} which
 };
 

@@ -32,7 +32,7 @@ inline constexpr std::array<ParameterId, 4> kEquidistant = {"k1", "k2", "k3", "k
 inline constexpr std::array<ParameterId, 1> kNoK3 = {"k3"};
 inline constexpr std::array kNoK3Range = {ParameterRange{"k3", 0.0, 0.0}};
 
-/// The noise of an IMU; what a fresh file says of numbers that nothing states.
+/// The noise of an IMU; what a fresh file says of numbers that nothing specifies.
 struct Noise {
   double gyroscope = 0.0;
   double gyroscope_walk = 0.0;

@@ -85,7 +85,7 @@ std::vector<Statement> write_rate(const Subject& subject, const Key& key) {
 
 constexpr std::string_view kShift = "imu_time_shift";
 
-/// Kept for the cameras, which other files state. Zero says nothing.
+/// Kept for the cameras, which other files specify. Zero says nothing.
 bool read_shift(schema::Reading& reading, const Key& key, const Node& node) {
   const std::optional<double> shift = reading.reader.time_offset(node, reading.label(key));
   if (shift && *shift != 0.0) reading.rig.extra_fields.push_back({reading.imu->name, key.text(), node.value});
@@ -190,7 +190,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   return sensors::read(files(), documents, options, diagnostics);
 }
 
-/// The time shift of ImuParams.yaml is that of all cameras. Beside a camera that states another one it stays a field of its
+/// The time shift of ImuParams.yaml is that of all cameras. Next to a camera that specifies another one it stays a field of its
 /// own, which is listed where it is not written.
 void complete(Rig& rig) {
   const ExtraField* field = find_shift(rig);

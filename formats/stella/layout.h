@@ -89,7 +89,7 @@ struct Lens {
 /// The coefficients of a pair's lens in the order of its list D; zeros of a pinhole.
 [[nodiscard]] std::vector<double> coefficients_of(const CameraModel& model);
 
-/// How the first two cameras are rectified: as their file states it, where StereoRectifier can say that, else computed.
+/// How the first two cameras are rectified: as their file specifies it, where StereoRectifier can say that, else computed.
 [[nodiscard]] ros::Rectification rectification_of(const Rig& rig);
 /// fx [px] times the distance [m] of the second camera, which stands to the right of the first; else not above 0.
 [[nodiscard]] double focal_times_baseline(const ros::Rectification& rectification);

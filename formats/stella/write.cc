@@ -144,7 +144,7 @@ void edit_block(text::Document& document, std::string_view name, std::vector<Fie
   fields::apply(document, document.root(), kDialect, before, after);
 }
 
-/// A model whose name the file need not state (perspective in StereoRectifier), or has another word for, is not edited.
+/// A model whose name the file need not specify (perspective in StereoRectifier), or has another word for, is not edited.
 void leave_same_lens(const text::Document& base, std::string_view block, std::vector<Field>& before,
                      std::vector<Field>& after) {
   const auto is_model = [](const Field& field) { return field.key == "model"; };
@@ -159,7 +159,7 @@ void leave_same_lens(const text::Document& base, std::string_view block, std::ve
   }
 }
 
-/// The rig with what only the base states: its words, and a baseline that the rig does not contradict.
+/// The rig with what only the base specifies: its words, and a baseline that the rig does not contradict.
 Rig with_words_of(const Rig& there, const Rig& rig) {
   Rig result = rig;
   std::erase_if(result.extra_fields, [](const ExtraField& extra) { return extra.owner.empty(); });

@@ -150,7 +150,7 @@ class BinaryReader {
     return root;
   }
 
-  /// How many bytes stand behind it.
+  /// How many bytes stand after it.
   [[nodiscard]] std::size_t behind() const { return bytes().size() - at_; }
 
  private:
@@ -187,7 +187,7 @@ class BinaryReader {
   std::size_t at_ = kOfCount;
 };
 
-/// The last part of a path, behind what a corpus' names have before it.
+/// The last part of a path, after what a corpus' names have before it.
 bool is_named(const Source& source, std::string_view name) { return source.name.ends_with(name); }
 
 }  // namespace

@@ -18,7 +18,7 @@ void collect_scalars(const Node& node, std::vector<Span>& spans) {
   }
 }
 
-/// A '#' behind a blank (in Python behind anything), outside of all scalars.
+/// A '#' after a blank (in Python after anything), outside of all scalars.
 std::vector<Span> hash_comments(const Document& document) {
   const std::string& bytes = document.source().bytes;
   std::vector<Span> scalars;

@@ -16,7 +16,7 @@ std::size_t skip_digits(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// Behind "12." or ".5": nothing, or an exponent with its sign.
+/// After "12." or ".5": nothing, or an exponent with its sign.
 bool ends_as_real(std::string_view rest) {
   if (rest.empty()) return true;
   if (rest.size() < 3 || (rest[0] != 'e' && rest[0] != 'E') || (rest[1] != '+' && rest[1] != '-')) return false;

@@ -94,7 +94,7 @@ void Document::remove_from_flow(const Node& mapping, const Entry& entry) {
     const bool takes_comma_behind = first == 0 && behind < entries.size();
     const std::size_t start = first == 0 ? entries[0].key.span.offset : end_of(entries[first - 1]);
     std::size_t end = takes_comma_behind ? entries[behind].key.span.offset : end_of(entries[behind - 1]);
-    // Python takes a comma behind the last value, and none alone.
+    // Python takes a comma after the last value, and none alone.
     const std::size_t next = source_.bytes.find_first_not_of(" \t\r\n", end);
     const bool leaves_comma = first == 0 && !takes_comma_behind && next < source_.bytes.size() && source_.bytes[next] == ',';
     if (leaves_comma) end = next + 1;
@@ -113,7 +113,7 @@ void Document::remove_element(const Entry& entry) {
       comment && comment->kind == Markup::Kind::kComment && comment->span.offset == rest) {
     const std::size_t behind = bytes.find_first_not_of(" \t\r", comment->span.end());
     const bool on_this_line = source_.text(comment->span).find('\n') == std::string_view::npos;
-    // A remark behind the element speaks of it.
+    // A remark after the element speaks of it.
     if (on_this_line && (behind == std::string_view::npos || bytes[behind] == '\n')) rest = behind;
   }
   const std::size_t line = source_.line_at(element.offset).offset;
@@ -154,7 +154,7 @@ void Document::insert_element_after(const Entry& entry, const std::string& lines
   if (!begins_line(entry)) return insert(element.end(), laid_out(lines, indentation_at(element.offset)));
   const std::string_view indentation = indentation_at(element.offset);
   const std::string text = std::string(indentation) + laid_out(lines, indentation);
-  // Behind the line's remarks, but before a tag that follows on the same line.
+  // After the line's remarks, but before a tag that follows on the same line.
   const std::string_view bytes = source_.bytes;
   const std::size_t newline = bytes.find('\n', element.end());
   std::optional<Markup> next = next_markup(bytes, element.end());

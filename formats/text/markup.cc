@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
 
-/// Behind the first `mark` at or behind `from`; npos if there is none.
+/// After the first `mark` at or after `from`; npos if there is none.
 std::size_t behind(std::string_view bytes, std::string_view mark, std::size_t from) {
   const std::size_t at = bytes.find(mark, from);
   return at == std::string_view::npos ? at : at + mark.size();
 }
 
-/// Behind the '>' of a tag; one inside an attribute's quotes does not count. npos if another '<' or the end comes first.
+/// After the '>' of a tag; one inside an attribute's quotes does not count. npos if another '<' or the end comes first.
 std::size_t end_of_tag(std::string_view bytes, std::size_t from) {
   char quote = '\0';
   for (std::size_t i = from; i < bytes.size(); ++i) {

@@ -18,7 +18,7 @@ struct Markup {
   Span name;  ///< kOpen, kClose, kEmpty: the element's.
 };
 
-/// The first markup at or behind `from`; nothing if no '<' follows.
+/// The first markup at or after `from`; nothing if no '<' follows.
 [[nodiscard]] std::optional<Markup> next_markup(std::string_view bytes, std::size_t from);
 
 /// From the '<' of an element's opening tag to the '>' of its closing one. `name`: its name in the opening tag.

@@ -56,14 +56,14 @@ std::string pixels(double value) {
   return format_short(value, value < kTiny ? 2 : 3);
 }
 
-/// An rms, or the worst pixel behind it: nothing where both are rounding.
+/// An rms, or the worst pixel after it: nothing where both are rounding.
 constexpr double kExactPx = 1e-9;
 std::string rms_off(double rms_px) { return rms_px < kExactPx ? "exact" : pixels(rms_px) + " px rms off"; }
 std::string worst_off(double worst_px) { return worst_px < kExactPx ? "" : ", worst " + pixels(worst_px); }
 
 std::string plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
-/// The words of one argument, by its type; `how` is what stands behind the colon.
+/// The words of one argument, by its type; `how` is what stands after the colon.
 struct InWords {
   std::string_view how;
   Wording wording;

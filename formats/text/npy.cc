@@ -33,7 +33,7 @@ struct Header {
   std::size_t columns = 0;
 };
 
-/// What stands behind a key, without blanks; empty where the key is not there.
+/// What stands after a key, without blanks; empty where the key is not there.
 std::string_view behind(std::string_view header, std::string_view key) {
   const std::size_t at = header.find(key);
   if (at == std::string_view::npos) return {};

@@ -24,7 +24,7 @@ std::size_t tight_key(std::string_view line) {
   return at + 1;
 }
 
-/// Depth of open flow brackets behind this line; quotes end on their line in OpenCV's dialect.
+/// Depth of open flow brackets after this line; quotes end on their line in OpenCV's dialect.
 int flow_depth_after(std::string_view line, int depth) {
   char quote = '\0';
   for (std::size_t i = 0; i < line.size(); ++i) {

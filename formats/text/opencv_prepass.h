@@ -17,7 +17,7 @@ struct SpacedText {
   [[nodiscard]] std::size_t original_offset(std::size_t offset) const;
 };
 
-/// cv::FileStorage reads `key:value`; YAML demands `key: value`. Inserts the missing blank behind the colon of block keys, and
+/// cv::FileStorage reads `key:value`; YAML demands `key: value`. Inserts the missing blank after the colon of block keys, and
 /// nowhere else: not inside quotes, comments or flow collections.
 [[nodiscard]] SpacedText space_after_keys(std::string_view bytes);
 

@@ -27,7 +27,7 @@ std::optional<std::size_t> prefix_of(std::string_view text) {
   return std::nullopt;
 }
 
-/// What stands behind a backslash: appends what it means and returns its length; 0 where it means nothing.
+/// What stands after a backslash: appends what it means and returns its length; 0 where it means nothing.
 std::size_t append_escape(std::string_view text, std::string& value) {
   constexpr std::string_view kLetters = "\\'\"abfnrtv";
   constexpr std::string_view kMeant = "\\'\"\a\b\f\n\r\t\v";

@@ -48,7 +48,7 @@ std::vector<std::string_view> first_lines(std::string_view text, std::size_t cou
 
 bool is_number(std::string_view word) { return parse_real(word).has_value(); }
 
-/// Numbers alone, or behind a name: nothing that means something else to YAML ("key:", "-", "!tag", "'quoted'").
+/// Numbers alone, or after a name: nothing that means something else to YAML ("key:", "-", "!tag", "'quoted'").
 bool is_line_of_numbers(std::string_view line) {
   const std::vector<std::string_view> words = words_of(line);
   const auto letters = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
@@ -90,7 +90,7 @@ bool begins_as_json(std::string_view text) {
   return next == std::string_view::npos || std::string_view("[{]\"'-0123456789").find(text[next]) != std::string_view::npos;
 }
 
-/// By a name that says nothing of the syntax, a mapping whose first key is in single quotes, behind blanks and comments.
+/// By a name that says nothing of the syntax, a mapping whose first key is in single quotes, after blanks and comments.
 bool begins_as_python(const Source& source, std::string_view text) {
   constexpr std::array<std::string_view, 5> kOthers = {".yaml", ".yml", ".json", ".xml", ".txt"};
   if (std::ranges::find(kOthers, extension_of(source)) != kOthers.end()) return false;
@@ -109,7 +109,7 @@ bool begins_as_python(const Source& source, std::string_view text) {
   return false;
 }
 
-/// "[image]" alone in its line, and behind it neither a key of YAML nor another value: the sections of an .ini, whose lines are
+/// "[image]" alone in its line, and after it neither a key of YAML nor another value: the sections of an .ini, whose lines are
 /// words.
 bool begins_as_ini(std::span<const std::string_view> lines) {
   if (lines.size() < 2) return false;

@@ -10,7 +10,7 @@ namespace fca::text {
 /// 1. `%YAML:` is cv::FileStorage's YAML, any other `%` plain YAML.
 /// 2. `<` is XML (but `<<<<<<< ` is git's).
 /// 3. `{`, and `[` before a JSON value, are JSON. YAML, too, can begin so: see falls_back_to_yaml.
-/// 4. A name that ends in .cameramodel, mrcal's, is Python. So is a mapping, behind comments or none, whose first key stands in
+/// 4. A name that ends in .cameramodel, mrcal's, is Python. So is a mapping, after comments or none, whose first key stands in
 ///    single quotes, by any name but one of the other syntaxes': YAML, too, can begin so, and is what Python refuses.
 /// 5. A text with a line that begins with `Intrinsic of "` is words: what librealsense's tools print. So is one that
 ///    begins with `Calibration results`: Kalibr's report.

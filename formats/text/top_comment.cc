@@ -9,7 +9,7 @@ namespace fca::text {
 
 namespace {
 
-/// The offset behind the leading lines that are directives ("%YAML:1.0"), "---" or comments.
+/// The offset after the leading lines that are directives ("%YAML:1.0"), "---" or comments.
 std::size_t behind_head(const Source& source) {
   const std::string_view bytes = source.bytes;
   std::size_t at = source.byte_order_mark();

@@ -26,7 +26,7 @@ namespace fca::text {
 
 namespace {
 
-/// Where a quoted scalar that opens at `open` ends (behind the closing quote). yaml-cpp forgives a quote that the file's end
+/// Where a quoted scalar that opens at `open` ends (after the closing quote). yaml-cpp forgives a quote that the file's end
 /// cuts off.
 std::size_t end_of_quotes(std::string_view bytes, std::size_t open) {
   const char quote = bytes[open];
@@ -46,7 +46,7 @@ std::size_t end_of_quotes(std::string_view bytes, std::size_t open) {
 
 Refusal alias_at(std::size_t offset) { return {{Code::kYamlAlias}, offset}; }
 
-/// Where a flow collection that opens at `open` ends (behind its bracket).
+/// Where a flow collection that opens at `open` ends (after its bracket).
 std::size_t end_of_flow(std::string_view bytes, std::size_t open) {
   int depth = 0;
   for (std::size_t i = open; i < bytes.size(); ++i) {
@@ -136,7 +136,7 @@ class TreeBuilder : public YAML::EventHandler {
     if (anchor != 0 && !has_anchors_) throw Refusal{{Code::kYamlAnchor}, offset(mark)};
   }
 
-  /// Where a value begins behind its anchor and tag, from where those begin. `kinds`: "&" of anchors, "!" of tags.
+  /// Where a value begins after its anchor and tag, from where those begin. `kinds`: "&" of anchors, "!" of tags.
   [[nodiscard]] std::size_t behind_properties(std::size_t at, std::string_view kinds) const {
     const std::string_view bytes = source_.bytes;
     while (at < bytes.size() && kinds.find(bytes[at]) != std::string_view::npos) {
@@ -182,7 +182,7 @@ class TreeBuilder : public YAML::EventHandler {
     stack_.pop_back();
     std::size_t end = node.span.offset;
     if (node.flow && is_bracketed(node)) {
-      const std::size_t bracket = source_.bytes.find_first_of("[{", node.span.offset);  // behind a tag
+      const std::size_t bracket = source_.bytes.find_first_of("[{", node.span.offset);  // after a tag
       if (bracket != std::string::npos) end = end_of_flow(source_.bytes, bracket);
     } else {
       if (!node.items.empty()) end = std::max(end, node.items.back().span.end());
@@ -210,7 +210,7 @@ class TreeBuilder : public YAML::EventHandler {
       parent.key = std::move(node);
       parent.has_key = true;
     } else {
-      // A missing value is reported at the next token: its place is behind the key's colon.
+      // A missing value is reported at the next token: its place is after the key's colon.
       if (node.kind == NodeKind::kNull) node.span = {std::min(parent.key.span.end() + 1, source_.bytes.size()), 0};
       parent.node.entries.push_back({std::move(parent.key), std::move(node)});
       parent.has_key = false;
@@ -239,7 +239,7 @@ class TreeBuilder : public YAML::EventHandler {
   bool has_content_ = false;
 };
 
-/// The last key up to `offset` that has its value right behind the colon: OpenCV's reader takes it, to YAML it is one word.
+/// The last key up to `offset` that has its value right after the colon: OpenCV's reader takes it, to YAML it is one word.
 /// Where it stands in a line that is valid all the same (a list of such words) nobody asks.
 std::optional<Refusal> blank_missing(const Source& source, std::size_t offset) {
   static const std::regex kUnspaced(R"(^[ ]*(?:- +)?[A-Za-z_][A-Za-z0-9_.]*:(?=[^\s:/]|/[^/]))");

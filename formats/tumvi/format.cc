@@ -43,7 +43,7 @@ bool layout_holds(const text::Document& document, std::string_view model) {
   return !dso::is_camera_txt(document) || dso::camera_txt_holds(model);
 }
 
-/// The dataset states T_cam_imu and T_cn_cnm1 of one estimate. Where a rig's contradict each other, the chain and the first
+/// The dataset specifies T_cam_imu and T_cn_cnm1 of one estimate. Where a rig's contradict each other, the chain and the first
 /// camera's pose are kept, and the others follow from them.
 void make_consistent(Rig& rig, std::vector<Loss>& losses, std::vector<PoseEdge>& restated) {
   constexpr double kRounding = 1e-9;
@@ -65,7 +65,7 @@ void make_consistent(Rig& rig, std::vector<Loss>& losses, std::vector<PoseEdge>&
   }
 }
 
-/// The dataset's images and IMU share one clock, and its chains have no timeshift_cam_imu. A base that states one keeps it.
+/// The dataset's images and IMU share one clock, and its chains have no timeshift_cam_imu. A base that specifies one keeps it.
 void remove_time_offsets(Rig& rig, const Rig* old, std::vector<Loss>& losses) {
   for (Camera& camera : rig.cameras) {
     const Camera* before = old != nullptr ? old->find_camera(camera.name) : nullptr;

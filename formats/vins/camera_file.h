@@ -16,7 +16,7 @@ namespace fca::vins {
 /// Adds the camera of the document to the rig, or errors.
 void read_camera_file(const text::Document& document, const ReadOptions& options, Rig& rig, Diagnostics& diagnostics);
 
-/// OCamCalib's inverse polynomial as the document states it; empty where it has none.
+/// OCamCalib's inverse polynomial as the document specifies it; empty where it has none.
 [[nodiscard]] std::vector<double> stated_inverse(const text::Document& document);
 
 }  // namespace fca::vins

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // VINS-Fusion's configuration (vins_estimator/src/estimator/parameters.cpp), read by cv::FileStorage, whose cameras stand in
-// files of their own beside it:
+// files of their own next to it:
 //
 //   num_of_cam                   1 or 2
 //   cam0_calib, cam1_calib       camera files, relative to the configuration's folder

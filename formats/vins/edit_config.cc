@@ -32,7 +32,7 @@ std::string numbered(std::string_view before, std::size_t index, std::string_vie
   return std::string(before) + std::to_string(index) + std::string(after);
 }
 
-/// A name that leads nowhere but beside the configuration.
+/// A name that leads nowhere but next to the configuration.
 bool is_plain_file(std::string_view name) {
   return !name.empty() && name.find_first_of("/\\") == std::string_view::npos && !name.starts_with('.');
 }
@@ -178,7 +178,7 @@ double td_of(const text::Document& base, const Rig& rig, Diagnostics& diagnostic
   return td;
 }
 
-/// A camera of the base that no camera file was found for has no place beside others.
+/// A camera of the base that no camera file was found for has no place next to others.
 void warn_of_missing_cameras(const text::Document& base, std::size_t used, Diagnostics& diagnostics) {
   const Node* count = text::find(base.root(), "num_of_cam", kDialect);
   const int before = count != nullptr ? text::parse_int(count->value).value_or(0) : 0;
@@ -186,7 +186,7 @@ void warn_of_missing_cameras(const text::Document& base, std::size_t used, Diagn
   diagnostics.add(Code::kVinsCameraKept, {count->value, numbered("cam", used, ""), used}, base.range(*count));
 }
 
-/// The second camera alone would be written as the first, beside the base's own second.
+/// The second camera alone would be written as the first, next to the base's own second.
 bool keeps_its_place(const text::Document& base, const Rig& rig, Diagnostics& diagnostics) {
   const Node* count = text::find(base.root(), "num_of_cam", kDialect);
   const bool pair = count != nullptr && text::parse_int(count->value) == static_cast<int>(kMostCameras);

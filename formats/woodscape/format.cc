@@ -45,7 +45,7 @@ text::Document edited(const text::Document& base, const Subject& before, const S
   return document;
 }
 
-/// CARLA's translation is the same pose in another frame: beside a new one it no longer holds.
+/// CARLA's translation is the same pose in another frame: next to a new one it no longer holds.
 void list_stale_translation(const text::Document& base, const Rig& old, const std::string& camera, const Transform& pose,
                             std::vector<Loss>& losses) {
   const Transform* stated = old.stated(kPoseInVehicle.frame, camera);
@@ -55,7 +55,7 @@ void list_stale_translation(const text::Document& base, const Rig& old, const st
   losses.push_back(lost(Code::kWoodscapeStaleTranslation, camera, std::string(kCarlaTranslation)));
 }
 
-/// What the input says beside its rig and the file, which says `there`, does not.
+/// What the input says besides its rig and the file, which says `there`, does not.
 void list_extras(std::span<const ExtraField> extras, std::span<const ExtraField> there, std::vector<Loss>& losses) {
   std::vector<ExtraField> others(extras.begin(), extras.end());
   const auto halves = std::stable_partition(others.begin(), others.end(), [](const ExtraField& extra) {

@@ -155,7 +155,7 @@ bool is_rotation(Reading& reading, const Node& node, const std::vector<double>& 
 bool read_extrinsic(Reading& reading, const Key& key, const Node& node) {
   Reading inside = reading;
   inside.owner = key.name;
-  // The published files cannot all be read by one rule: two have the height behind x and y to the right of it, two before.
+  // The published files cannot all be read by one rule: two have the height after x and y to the right of it, two before.
   const text::Entry* carla = text::find_entry(node, kCarlaTranslation, kDialect);
   if (carla != nullptr && reading.reader.find(node, kTranslation.front()) == nullptr) {
     reading.reader.say(carla->key, Code::kWoodscapeJsonCarla, {kTranslation.front()});

@@ -35,7 +35,7 @@ struct CameraPair {
   bool size_assumed = false;
 };
 
-/// The image whose middle is that principal point: what is likely where nothing states a size.
+/// The image whose middle is that principal point: what is likely where nothing specifies a size.
 ImageSize image_about(const Pixel& centre) {
   constexpr double kLargest = 20'000.0;  // of any sensor; also where the principal point is nonsense
   const auto side = [kLargest](double middle) {

@@ -9,7 +9,7 @@
 
 namespace fca::internal {
 
-/// Adds the numbers that both state, the common mistakes that explain their differences, and what only one states.
+/// Adds the numbers that both specify, the common mistakes that explain their differences, and what only one specifies.
 void compare_facts(const Rig& reference, const Rig& other, const Matching& matching, RigComparison& result);
 
 }  // namespace fca::internal

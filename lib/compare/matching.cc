@@ -31,11 +31,11 @@ std::vector<PoseEdge> renamed_poses(const Rig& reference, const Rig& other, cons
   // No file has such a name for a frame.
   for (const Camera& camera : other.cameras) names[camera.name] = "\n" + camera.name;
   for (const Imu& imu : other.imus) {
-    // A camchain states poses in imu0 and nothing else of it.
+    // A camchain specifies poses in imu0 and nothing else of it.
     if (std::ranges::find(reference.imus, imu.name, &Imu::name) != reference.imus.end()) names[imu.name] = "\n" + imu.name;
   }
   for (const Match& match : matching.cameras) names[other.cameras[match.other].name] = reference.cameras[match.reference].name;
-  // A frame of the other's that is none of its cameras (EuRoC's file of cam1 states T_Cam0) may have the name that one got.
+  // A frame of the other's that is none of its cameras (EuRoC's file of cam1 specifies T_Cam0) may have the name that one got.
   for (const Match& match : matching.cameras) {
     const std::string& taken = reference.cameras[match.reference].name;
     names.emplace(taken, "\n" + taken);

@@ -66,7 +66,7 @@ constexpr CodeInfo about_reader(CodeInfo row) {
   return row;
 }
 
-/// The same of where cameras stand: no matter to a file that states no poses.
+/// The same of where cameras stand: no matter to a file that specifies no poses.
 constexpr CodeInfo about_poses(CodeInfo row) {
   row.about = About::kPoses;
   return row;
@@ -104,7 +104,7 @@ constexpr CodeInfo remedy(Code code, std::string_view id, std::string_view text)
 /// Of parts of sentences, which nobody asks for by name.
 inline constexpr std::string_view kClauseId = "clause";
 
-/// A part of another sentence, or words for people beside a result.
+/// A part of another sentence, or words for people next to a result.
 constexpr CodeInfo clause(Code code, std::string_view text) {
   return {.code = code, .id = kClauseId, .severity = Severity::kNote, .about = About::kMeaning, .text = text};
 }

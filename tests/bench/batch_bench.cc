@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Many files at once: bench-batch [FILES] makes that many (10,000) different chains of two Double Sphere cameras and converts
 // them to ORB-SLAM3's kb4 and eucm with all processors, with the proof and without. Time, processor time and the largest memory
-// of each; beside them an empty C++ program, which compares machines. bench-batch --memory FILES... does one conversion of each
-// number of files, as text and as JSON, and says how much memory a file more takes.
+// of each; next to them an empty C++ program, which compares machines. bench-batch --memory FILES... does one conversion of
+// each number of files, as text and as JSON, and says how much memory a file more takes.
 #include "child.h"
 
 #include <algorithm>

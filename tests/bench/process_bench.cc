@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program's start and a whole conversion, as the shell pays for them, beside an empty C++ program: their ratio is what
+// A program's start and a whole conversion, as the shell pays for them, next to an empty C++ program: their ratio is what
 // compares between machines. Wall-clock time, as the processor time of children is not counted.
 #include "child.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The map of a 1920 x 1080 pinhole view from a fisheye on one core, beside a copy of such a map (what memory allows) and what
+// The map of a 1920 x 1080 pinhole view from a fisheye on one core, next to a copy of such a map (what memory allows) and what
 // OpenCV takes for the maps it knows.
 #include "lib/convert/known_cameras.h"
 

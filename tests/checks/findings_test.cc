@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every defect is found at its place, and nothing else is: testdata/checks holds a file for each, and beside it what is to be
+// Every defect is found at its place, and nothing else is: testdata/checks holds a file for each, and next to it what is to be
 // said ("line:column severity code").
 #include "check_files.h"
 

@@ -8,10 +8,10 @@
 
 namespace fca::test {
 
-/// A defect, and what must be said of it.
+/// A defect, and what must be reported of it.
 struct SeededDefect {
   std::string name;
-  std::vector<std::string> codes;  ///< One of them must be said.
+  std::vector<std::string> codes;  ///< One of them must be reported.
   /// The file's bytes with the defect; nothing where it has no such place, or where that is no defect to its program.
   std::function<std::optional<std::string>(const Good&)> plant;
   /// Does the finding in the damaged file stand where the defect does? Null: the defect is of the file as a whole.

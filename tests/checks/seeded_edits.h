@@ -31,7 +31,7 @@ std::optional<text::Span> number_of(const Good& good, ParameterId name);
 /// Another spelling of a parameter of the first camera.
 Edit spelled(ParameterId name, std::function<std::string(const std::string&)> change);
 
-/// The first line that begins so (behind blanks), replaced by a function of it.
+/// The first line that begins so (after blanks), replaced by a function of it.
 Edit line_starting(std::string_view start, std::function<std::optional<std::string>(const std::string&)> change);
 
 /// The first line that begins so, gone.
@@ -40,7 +40,7 @@ Edit without_line(std::string_view start);
 /// The first match of a pattern (std::regex; ^ and $ at lines), replaced; $1 is its first group.
 Edit replaced(const char* pattern, const char* replacement);
 
-/// Text behind the end of the file.
+/// Text after the end of the file.
 Edit appended(std::string_view text);
 
 /// "key: 12.5  # note" with the number replaced; nothing unless a number stands there.

@@ -7,7 +7,7 @@ namespace {
 /// A defect, and where it can be told. `plant` changes the rig, or says that this one has no such fact.
 struct Defect {
   const char* name;
-  std::vector<std::string> codes;  ///< One of them must be said.
+  std::vector<std::string> codes;  ///< One of them must be reported.
   std::function<bool(Rig&)> plant;
   int at_least = 20;
   const char* format = nullptr;  ///< Whose program minds; null: any.
@@ -20,7 +20,7 @@ bool states_quaternions(const Good& good) {
   return good.calibration.format->id == "colmap" || bytes_of(good).find("\"qw\"") != std::string::npos;
 }
 
-/// A pose that its file states, perhaps as a matrix.
+/// A pose that its file specifies, perhaps as a matrix.
 bool has_matrix(const Rig& rig) { return !rig.poses.empty() && rig.poses.front().a != "vehicle"; }
 
 bool has_size(const Rig& rig) { return !rig.cameras.empty() && rig.cameras.front().image_size; }
@@ -38,7 +38,7 @@ bool scale_parameter(Rig& rig, ParameterId name, double factor) {
   return value && set_parameter(rig.cameras.front().model, name, *value * factor);
 }
 
-/// T_cam1_cam0 beside T_cam0_imu and T_cam1_imu; null where a rig has no such thing.
+/// T_cam1_cam0 next to T_cam0_imu and T_cam1_imu; null where a rig has no such thing.
 PoseEdge* stated_twice(Rig& rig) {
   if (rig.poses.size() < 3 || rig.cameras.size() < 2) return nullptr;
   const auto found = std::ranges::find_if(
@@ -187,7 +187,7 @@ std::vector<Defect> defects() {
          if (other_way) edge->T_a_b = *other_way;
          return other_way.has_value();
        },
-       5},  // few files state a pose twice
+       5},  // few files specify a pose twice
       {"one of two statements of a pose transposed",
        {"pose-transposed"},
        [](Rig& rig) {

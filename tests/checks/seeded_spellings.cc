@@ -149,7 +149,7 @@ std::vector<TextDefect> defects() {
        {"orbslam3"},
        {"baseline-is-bf"},
        [](const Good& good) -> std::optional<SpanEdit> {
-         if (!good.calibration.rig.baseline_m) return std::nullopt;  // a pose stands beside it, and ORB-SLAM3 goes by that
+         if (!good.calibration.rig.baseline_m) return std::nullopt;  // a pose stands next to it, and ORB-SLAM3 goes by that
          return line_starting("Stereo.b:", [](const std::string& line) {
            return with_number(line, [](double baseline) { return text::format_real(baseline * 450.0); });
          })(good);

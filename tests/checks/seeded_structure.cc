@@ -118,7 +118,7 @@ std::string with(const std::string& bytes, const SpanEdit& edit) {
   return std::string(bytes).replace(edit.span.offset, edit.span.length, edit.text);
 }
 
-/// A camchain as OpenVINS reads it, but for the quotes around a lens's name with a comment behind.
+/// A camchain as OpenVINS reads it, but for the quotes around a lens's name with a comment after.
 std::optional<std::string> unquoted_for_openvins(const Good& good) {
   if (good.calibration.format->id != "kalibr" || good.calibration.rig.cameras.empty()) return std::nullopt;
   CheckOptions options;

@@ -26,7 +26,7 @@ std::string indented(const std::string& bytes) {
   });
 }
 
-/// The blank behind a key's colon is a TAB.
+/// The blank after a key's colon is a TAB.
 std::string spaced(const std::string& bytes) {
   return by_lines(bytes, [](std::string line) {
     const std::size_t colon = line.find(": ");
@@ -70,7 +70,7 @@ TEST(Tabs, AreBlanksAgain) {
   EXPECT_GE(planted, 20);
 }
 
-// Which of two keys is the line beside? Nobody knows.
+// Which of two keys is the line next to? Nobody knows.
 TEST(Tabs, AreLeftWhereTheDepthIsNotCertain) {
   const std::string nested =
       "cam0:\n  camera_model: pinhole\n  distortion_model: none\n  distortion_coeffs: []\n"

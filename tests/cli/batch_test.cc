@@ -64,7 +64,7 @@ TEST(Batch, APatternGivesTheBytesOfOneByOne) {
   EXPECT_TRUE(contains(none.err, "z*.yaml")) << none.err;
 }
 
-// What a pattern fits beside the cameras is no error, as in a folder; a file that is met twice is converted once.
+// What a pattern fits besides the cameras is no error, as in a folder; a file that is met twice is converted once.
 TEST(Batch, WhatAPatternFitsBesideTheCamerasIsCounted) {
   const TemporaryFolder folder;
   fill(folder);

@@ -303,7 +303,7 @@ TEST(Compare, MistakesAreCalledByName) {
   EXPECT_STREQ(document["files"][0]["mistakes"][0]["subject"].GetString(), "IMU.T_b_c1");
 }
 
-// OCamCalib states its lens twice. Directions are the direct polynomial's, and world2cam's pixels the inverse one's.
+// OCamCalib specifies its lens twice. Directions are the direct polynomial's, and world2cam's pixels the inverse one's.
 TEST(Compare, AnotherInversePolynomialIsSaid) {
   const TemporaryFolder folder;
   const std::string good = testdata("formats/ocamcalib/good/toolbox.txt");

@@ -105,7 +105,7 @@ TEST(Contradictions, CheckNamesThem) {
   }
 }
 
-// An edited file states all that it did.
+// An edited file specifies all that it did.
 TEST(Contradictions, AConversionWithinTheFormatNamesThem) {
   for (const Case& each : kCases) {
     SCOPED_TRACE(each.file);

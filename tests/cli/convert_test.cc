@@ -89,7 +89,7 @@ TEST(Convert, TheFirstLineSaysWhatIsMissingForMore) {
   const Told run({"convert", kTumvi, "--to", "orbslam3"});
   EXPECT_EQ(run.code(), 0);
   EXPECT_TRUE(contains(run.headline(), "--with imu.yaml")) << run.headline();
-  // It is the first thing that people read, behind the summary.
+  // It is the first thing that people read, after the summary.
   EXPECT_TRUE(contains(run_program({"convert", kTumvi, "--to", "orbslam3"}).err, "\n" + run.headline() + "\n"));
   Files files;
   const ConvertResult result = convert(request_for(kTumvi, "orbslam3"), files);
@@ -375,7 +375,7 @@ TEST(Convert, APoseAloneIsAnsweredWithOpenCvsNames) {
   EXPECT_TRUE(says(run.err, "no-camera", "fca-io convert intrinsics.yml --with ")) << run.err;
 }
 
-// No file of OpenCV's states the unit of T.
+// No file of OpenCV's specifies the unit of T.
 TEST(Convert, TheUnitOfOpenCvsPoseIsAnAssumption) {
   const std::string pair = testdata("formats/opencv/good/k1d1.yml");
   for (const char* to : {"kalibr", "opencv"}) {
@@ -598,7 +598,7 @@ TEST(Convert, MaxErrorKnowsNoSmallPartAndNoRounding) {
   EXPECT_EQ(run_program({"convert", kTumvi, "--to", "kalibr", "--max-error", "0"}).code, 0);
 }
 
-// The lens ends behind the angle that was given, beside what a coarse look at the image sees.
+// The lens ends beyond the angle that was given, besides what a coarse look at the image sees.
 TEST(Convert, TheFieldOfViewEndsForTheReasonGiven) {
   const TemporaryFolder folder;
   const std::string wide = folder.write("wide.yaml", kWide);

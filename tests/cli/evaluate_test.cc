@@ -766,7 +766,7 @@ std::optional<double> lanczos(const std::vector<double>& greys, const Size& size
   return sum / weights;
 }
 
-/// Of the image that the target would have taken, beside the image that the source took.
+/// Of the image that the target would have taken, next to the image that the source took.
 struct Loss {
   double mean_square = 0.0;
   double compared = 0.0;

@@ -12,7 +12,7 @@
 namespace fca::test {
 namespace {
 
-/// The numbers between the brackets behind a key.
+/// The numbers between the brackets after a key.
 std::vector<double> numbers_behind(const std::string& text, const std::string& key) {
   const std::size_t at = text.find("[", text.find(key + ":"));
   EXPECT_NE(at, std::string::npos) << key << " in " << text;

@@ -166,7 +166,7 @@ TEST(ImageChange, WhatMakesNoImageIsRefused) {
   EXPECT_TRUE(says(sizeless.err, "image-size-missing", "--size")) << sizeless.err;
 }
 
-// OCamCalib's two polynomials are separate fits, which differ most beside the axis: the proof must not take that for ours.
+// OCamCalib's two polynomials are separate fits, which differ most near the axis: the proof must not take that for ours.
 TEST(ImageChange, OCamCalibsOwnDisagreementIsNotHeldAgainstTheFile) {
   const fs::path folder = fs::path(FCA_SHARED_DIR) / "corpus" / "ocamcalib";
   if (!fs::exists(folder)) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";

@@ -16,7 +16,7 @@ const std::string kSettings = testdata("formats/orbslam3/good/v1-stereo-inertial
 const std::string kOpenVins = testdata("formats/openvins/good/mono.yaml");
 const std::string kFork = testdata("formats/orbslam3/good/slam-no-opt-eucm.yaml");
 
-/// The lines of `after` that differ from the same line of `before`, each behind the last key before it.
+/// The lines of `after` that differ from the same line of `before`, each after the last key before it.
 std::vector<std::string> lines_that_differ(const std::string& before, const std::string& after) {
   const std::vector<std::string> was = lines_of(before);
   const std::vector<std::string> is = lines_of(after);
@@ -92,7 +92,7 @@ TEST(Into, ABaseTakesAnotherSizeWhenToldTo) {
   EXPECT_EQ(rig_in(itself.out).cameras.at(0).image_size, (ImageSize{before.width / 2, before.height / 2}));
 }
 
-// A pose of the base is one of its own camera: beside another camera it is said, where it stays.
+// A pose of the base is one of its own camera: next to another camera it is said, where it stays.
 TEST(Into, PosesThatStayAreSaid) {
   const TemporaryFolder folder;
   const std::string ds = folder.write("ds.yaml", kBareDs);
@@ -139,7 +139,7 @@ TEST(Into, PosesThatTheInputDoesNotStateKeepTheirBytes) {
   }
 }
 
-// The base says the second camera's pose twice. One that contradicts what the input says follows from it, and that is said.
+// The base says the second camera's pose twice. One that contradicts what the input says follows from it, and that is reported.
 TEST(Into, ARedundantPoseFollowsTheOneThatMoved) {
   const TemporaryFolder folder;
   const std::string tumvi = read_file(kTumvi);
@@ -223,7 +223,7 @@ TEST(Into, AFileWithoutCamerasIsRefused) {
   EXPECT_EQ(read_file(path), imu);
 }
 
-// What stands beside the cameras is the base's; where the input says otherwise, that is a loss.
+// What stands next to the cameras is the base's; where the input says otherwise, that is a loss.
 TEST(Into, OtherValuesOfTheInputAreSaidWhereTheBaseKeepsItsOwn) {
   const TemporaryFolder folder;
   const std::string results = testdata("formats/ocamcalib/good/toolbox.txt");
@@ -247,7 +247,7 @@ TEST(Into, OtherValuesOfTheInputAreSaidWhereTheBaseKeepsItsOwn) {
   }
 }
 
-// A baseline is as true beside a lens with distortion as it was without; before V1.0 it is stored times the focal length.
+// A baseline is as true next to a lens with distortion as it was without; before V1.0 it is stored times the focal length.
 TEST(Into, TheBasesBaselineStays) {
   const TemporaryFolder folder;
   const std::string rectified = read_file(testdata("formats/orbslam3/good/v1-rectified.yaml"));
@@ -287,7 +287,7 @@ TEST(Into, AForksFileKeepsItsModel) {
   EXPECT_EQ(model_info(rig_in(run.out).cameras.at(0).model).id, "eucm");
 }
 
-// stereo_calib's extrinsics.yml, with what cv::stereoRectify puts behind R and T.
+// stereo_calib's extrinsics.yml, with what cv::stereoRectify puts after R and T.
 TEST(Into, AFileOfThePoseAloneIsEditedInPlace) {
   const TemporaryFolder folder;
   const std::string bytes = read_file(testdata("formats/opencv/good/extrinsics.yml")) +

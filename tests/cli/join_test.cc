@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --join: what every file states is the joined rig's, whichever files the others are.
+// --join: what every file specifies is the joined rig's, whichever files the others are.
 #include "cli/read_rig.h"
 #include "cli/run_program.h"
 #include "cli/told.h"
@@ -47,7 +47,7 @@ TEST(JoinedChains, CountTheirOverlapsAgain) {
   const RunResult swapped = run_program({"convert", pair, other, "--join", "--camera", "3,0,1,2", "--to", "kalibr"});
   EXPECT_EQ(overlaps_in(swapped.out), (std::vector<std::string>{"[3]", "[2]", "[1]", "[0]"})) << swapped.out << swapped.err;
   EXPECT_FALSE(contains(swapped.err, "cam_overlaps")) << swapped.err;
-  // Without its partner there is none to speak of, and that is said.
+  // Without its partner there is none to speak of, and that is reported.
   const Told without({"convert", pair, other, "--join", "--camera", "0,1,2", "--to", "kalibr"});
   EXPECT_EQ(overlaps_in(without.bytes()), (std::vector<std::string>{"[1]", "[0]", "[]"})) << without.bytes();
   EXPECT_TRUE(without.lost("not-carried", "cam2 cam_overlaps [3]")) << without.text();
@@ -102,7 +102,7 @@ TEST(JoinedFormats, TheOpenCvModelIsOfTheOpenCvFiles) {
   EXPECT_EQ(run_program({"convert", kTumvi, kDs, "--join", "--to", "kalibr", "--opencv-model", "pinhole"}).code, 3);
 }
 
-// A file that already is what is to be written keeps its bytes, whatever stands beside it and wherever.
+// A file that already is what is to be written keeps its bytes, whatever stands next to it and wherever.
 TEST(JoinedFormats, AFileOfTheTargetsFormatKeepsItsBytes) {
   struct Case {
     const char* to;
@@ -150,7 +150,7 @@ TEST(JoinedFormats, LinesOfDsosStayWhatTheyAre) {
   std::multiset<std::string> outputs;
   for (const std::string& name : folder.names()) outputs.insert(read_file(folder / name));
   EXPECT_EQ(outputs, (std::multiset<std::string>{read_file(one), read_file(two)}));
-  // With a camera of another format beside them: one line more.
+  // With a camera of another format next to them: one line more.
   const RunResult mixed = run_program({"convert", kTumvi, one, "--join", "--to", "dso", "-o", folder / "m/{camera}.txt"});
   EXPECT_EQ(mixed.code, 0) << mixed.err;
   for (const char* camera : {"m/cam0.txt", "m/cam1.txt", "m/cam2.txt"})

@@ -69,7 +69,7 @@ bool says_exact(const Classes& expected, const std::string& name) {
 /// What OpenCV's files of mei hold more than one of.
 const std::string kButForAPair = " (mei, but for a pair)";
 
-/// The same of formats that state poses of pairs only.
+/// The same of formats that specify poses of pairs only.
 const std::string kButForAStereoPair = "poses, but for a stereo pair";
 
 /// What the table calls a loss.
@@ -152,7 +152,7 @@ void convert_into(const Input& input, const Format& from, const Format& to, Clas
     (camera["exact"].GetBool() ? classes.exact : classes.fitted).insert(camera["from_model"].GetString() + condition);
   }
   std::string lost;
-  const std::string_view kept = info(Code::kPosesOfGroupsKept).text;  // of its words, those behind the cameras
+  const std::string_view kept = info(Code::kPosesOfGroupsKept).text;  // of its words, those after the cameras
   const std::string poses_are_kept(kept.substr(kept.rfind('}') + 1));
   for (const rapidjson::Value& loss : json["losses"].GetArray()) {
     const std::string what = loss["what"].GetString();

@@ -21,7 +21,7 @@
 namespace fca::test {
 namespace {
 
-/// A second camera beside it.
+/// A second camera next to it.
 const std::string kPair = kChain + R"(cam1:
   T_cn_cnm1:
   - [1.0, 0.0, 0.0, -0.1]

@@ -124,7 +124,7 @@ TEST(Names, AProgramGetsAModelThatItTakes) {
   EXPECT_EQ(run_program({"convert", rational, "--to", "3dgrut"}).code, 0);
 }
 
-// An image's size is beside the file, and the user says it.
+// An image's size is next to the file, and the user says it.
 TEST(Names, AProgramThatLooksAtTheImagesKnowsTheirSize) {
   const TemporaryFolder folder;
   const std::string file = folder.write(
@@ -179,7 +179,7 @@ TEST(Names, AUnitIsForTranslationsWithoutOne) {
   EXPECT_EQ(run_program({"convert", kTumvi, "--to", "opencv", "--unit", "mm"}).code, 3) << "Kalibr's are metres";
 }
 
-// COLMAP's are metres by custom, which no file states: they are read so, and an assumption.
+// COLMAP's are metres by custom, which no file specifies: they are read so, and an assumption.
 TEST(Names, AUnitMayBeToldOfARigOfColmaps) {
   const auto x_in = [](std::vector<std::string> further) {
     const std::string good = "formats/colmap/good/";

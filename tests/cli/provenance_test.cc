@@ -150,7 +150,7 @@ TEST(Provenance, OCamCalibKeepsOneLineOfCommentBeforeEachBlock) {
   ASSERT_EQ(edited.code, 0) << edited.err;
   EXPECT_TRUE(contains(first_line(edited.out), "toolbox.txt, SHA-256 ")) << edited.out;
   EXPECT_EQ(comments(edited.out).size(), comments(read_file(input)).size());
-  // What does not fit is not written, and that is said.
+  // What does not fit is not written, and that is reported.
   const std::string deep = folder / (std::string(200, 'a') + "/" + std::string(200, 'b') + "/" + std::string(200, 'c'));
   fs::create_directories(deep);
   const std::string far = deep + "/" + std::string(200, 'd') + ".txt";

@@ -169,7 +169,7 @@ TEST_P(Recipes, HaveInputsThatAreReady) {
   const fs::path folder = fs::path(FCA_EXAMPLES_DIR) / GetParam();
   const RunResult run = run_program({"check", "--fail-on", "warning", folder.string()});
   // 2: no calibration is there, since the input is another folder's.
-  const bool has_inputs = std::distance(fs::directory_iterator(folder), fs::directory_iterator()) > 1;  // beside README.md
+  const bool has_inputs = std::distance(fs::directory_iterator(folder), fs::directory_iterator()) > 1;  // next to README.md
   EXPECT_EQ(run.code, has_inputs ? 0 : 2) << run.out << run.err;
 }
 

@@ -256,7 +256,7 @@ std::string comment_on(const std::string& camera, const std::string& bytes) {
   return at == std::string::npos ? std::string() : bytes.substr(at + 1, bytes.find('\n', at + 1) - at - 1);
 }
 
-// A chain counts its cameras: the second alone, or first, is cam0 there, and so it is called beside the file.
+// A chain counts its cameras: the second alone, or first, is cam0 there, and so it is called next to the file.
 TEST(RigOptions, CamerasAreCalledAsTheFileWrittenCallsThem) {
   const TemporaryFolder folder;
   const std::vector<std::string> words = {"convert",  kTumvi, "--to",        "kalibr", "--model",     "ds",
@@ -348,7 +348,7 @@ TEST(RigOptions, SetAndFpsBothEditOneFile) {
   }
 }
 
-// Kalibr stops without a topic as soon as it opens a bag, and no other format states one. --help has it as its example.
+// Kalibr stops without a topic as soon as it opens a bag, and no other format specifies one. --help has it as its example.
 TEST(RigOptions, SetAddsWhatAProgramReadsAndTheFileLacks) {
   const TemporaryFolder folder;
   const std::string chain =

@@ -94,7 +94,7 @@ class Watch {
   int runs_ = 0;
 };
 
-// A test per format, so that they run beside each other.
+// A test per format, so that they run next to each other.
 class CorpusRobustness : public testing::TestWithParam<const Format*> {};
 
 TEST_P(CorpusRobustness, EverySubcommandOverRealFiles) {

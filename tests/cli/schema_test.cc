@@ -23,7 +23,7 @@ void collect(const rapidjson::Value& value, const std::string& path, std::set<st
   }
 }
 
-/// "fca-io's words with testdata's files", as they stand behind "$ ".
+/// "fca-io's words with testdata's files", as they stand after "$ ".
 std::vector<std::string> words_of(const std::string& line) {
   std::istringstream stream(line);
   std::vector<std::string> words;

@@ -128,7 +128,7 @@ std::string row_with_wrong_pose(double metres) {
   return chain;
 }
 
-// Two paths agree against one pose: a fresh file states what they say.
+// Two paths agree against one pose: a fresh file specifies what they say.
 TEST(VerdictReasons, APoseThatTheOthersOutvoteIsLeftOut) {
   const TemporaryFolder folder;
   const std::string chain = folder.write("row.yaml", row_with_wrong_pose(0.03));
@@ -230,7 +230,7 @@ TEST(VerdictReasons, APoseOnAVehicleThatIsNotWrittenDoesNotCount) {
   EXPECT_EQ(codes_of(written).count("pose-implausible"), 0U) << written.text();
 }
 
-// ROS' pair of files states how its cameras sit to each other.
+// ROS' pair of files specifies how its cameras sit to each other.
 TEST(VerdictReasons, APoseThatAPairOfFilesFollowsFromCounts) {
   const TemporaryFolder folder;
   std::vector<std::string> words = {"convert"};
@@ -562,7 +562,7 @@ TEST(VerdictReasons, OfThreeCamerasTheWrittenPairCounts) {
     cam2.replace(cam2.find(beside), beside.size(), "[1.0, 0.0, 0.0, " + x + "]\n  - [0.0, 1.0, 0.0, " + y + "]");
     return two + cam2;
   };
-  // cam1 beside cam0, and cam2 below it, as T_cam2_cam1 has it.
+  // cam1 next to cam0, and cam2 below it, as T_cam2_cam1 has it.
   const std::string file = folder.write("three.yaml", of_three("0.11", "-0.11"));
   const auto verdict = [&](const std::string& cameras) {
     return Told(

@@ -271,7 +271,7 @@ TEST(VerdictFirst, ThePairOfNamedFilesIsTheTwoThatSeeTheSame) {
   EXPECT_TRUE(fs::exists(other + "cam1CameraParams.yaml")) << chosen.text();
 }
 
-// Whichever way a file states them: by poses between cameras or by each camera's in the IMU.
+// Whichever way a file specifies them: by poses between cameras or by each camera's in the IMU.
 TEST(VerdictFirst, LostPosesBetweenCamerasMatter) {
   const TemporaryFolder folder;
   const std::string between = folder.write("between.yaml", chain_of_three());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --weight: what a fit makes small is told beside the error of all pixels, and images that are none are refused.
+// --weight: what a fit makes small is told next to the error of all pixels, and images that are none are refused.
 #include "cli/read_rig.h"
 #include "cli/run_program.h"
 #include "cli/told.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// testdata/formats/<format>/bad: every file stands beside what is said of it, as codes and values; their words stand elsewhere
+// testdata/formats/<format>/bad: every file stands next to what is said of it, as codes and values; their words stand elsewhere
 // (lib/diagnostics). Adding a file adds a test: put NAME there and run with FCA_WRITE_EXPECTED=1 to have NAME.expected
 // written, then read it.
 //
 // A file can be bad in three ways, and NAME.expected holds them in this order:
 //   3:11-15 error ID ARGUMENTS     the reader refuses or warns, of these columns (or: byte 24-31); what it proposes stands
-//                                  behind "->"
+//                                  after "->"
 //   no camera: CAMERA: ID ARGUMENTS     the numbers are no camera (validate)
 //   PROGRAM refuses: ID KEY ARGUMENTS     the format's own program would not load it (ask_readers; its first reason)
 // How arguments are written: id_and_arguments.h.

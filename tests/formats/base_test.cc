@@ -81,7 +81,7 @@ TEST(Base, OneCameraOfTwoKeepsTheTuning) {
   EXPECT_TRUE(consumers::find_consumer("orbslam3")->load(bytes, {"mono-inertial"}).loads());
 }
 
-// What is listed as lost is not there; what no mode asks for and the base states is edited.
+// What is listed as lost is not there; what no mode asks for and the base specifies is edited.
 TEST(Base, AModeWithoutImuDropsItsPoseAndKeepsTheBases) {
   const Calibration inertial = calibration_of(settings_with_two_cameras_and_imu());
   Diagnostics diagnostics;

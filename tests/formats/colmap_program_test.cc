@@ -54,7 +54,7 @@ class Folder {
   fs::path path_;
 };
 
-/// Two images of the first camera from one place, and what our model sees of points in front of it, `shift` pixels beside.
+/// Two images of the first camera from one place, and what our model sees of points in front of it, `shift` pixels to the side.
 void write_images(const Folder& folder, const Camera& camera, unsigned long id, double shift) {
   std::ostringstream seen;
   std::ostringstream points;

@@ -78,7 +78,7 @@ TEST(ColmapRig, SeveralRigsHaveTheirOwnReferences) {
   EXPECT_EQ(back.poses[1].b, "cam2");
 }
 
-// cameras.txt has the lenses and sizes, the file beside it how the cameras sit to each other.
+// cameras.txt has the lenses and sizes, the file next to it how the cameras sit to each other.
 TEST(ColmapRig, AFreshOneComesBackAndIsWhatColmapHolds) {
   Rig rig = sample_rig("kb4", {true, false});
   for (Camera& camera : rig.cameras) camera.topic.clear();

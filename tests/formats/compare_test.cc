@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calibrations beside each other, over all good files: a file beside itself, a common mistake planted into it, and honest
+// Calibrations next to each other, over all good files: a file next to itself, a common mistake planted into it, and honest
 // pairs, of which no mistake may be claimed.
 #include "formats/test_files.h"
 
@@ -117,7 +117,7 @@ TEST(CompareFiles, AFileIsExactlyItself) {
   }
 }
 
-// Also those that state no image size.
+// Also those that specify no image size.
 TEST(CompareFiles, EveryFileOfTheCorpusIsExactlyItself) {
   if (!fs::exists(shared_dir() / "corpus" / "kalibr")) GTEST_SKIP() << "needs ../shared/corpus";
   std::size_t compared_files = 0;
@@ -142,7 +142,7 @@ TEST(CompareFiles, EveryFileOfTheCorpusIsExactlyItself) {
   EXPECT_GT(compared_files, 300U);
 }
 
-// Which way a file states a pose is its own affair.
+// Which way a file specifies a pose is its own affair.
 TEST(CompareFiles, APoseStatedTheOtherWayIsTheSame) {
   for (const auto& [name, rig] : good_rigs()) {
     SCOPED_TRACE(name);

@@ -203,9 +203,9 @@ TEST(ConsumersOracleFiles, VerdictsOfTheSummary) {
     if (fields[1].ends_with(".ini")) continue;
     const std::string bytes = test::read_file(shared_dir() / "corpus" / fields[0] / fields[1]);
     ASSERT_FALSE(bytes.empty()) << fields[1];
-    // It stopped at the image of the mask, which was not beside the file.
+    // It stopped at the image of the mask, which was not next to the file.
     if (bytes.find("mask: ") != std::string::npos && fields[2] == "svo") continue;
-    // It stopped behind the first camera, for no reason that is known: a file of the same words is read.
+    // It stopped after the first camera, for no reason that is known: a file of the same words is read.
     if (fields[1].ends_with("calib_kitti.yaml") && fields[2] == "svo") continue;
     const bool expected = !fields[3].starts_with("rejected");
     const ConsumerView view = consumer->load(bytes, {});

@@ -23,7 +23,7 @@ constexpr ScalarType kText = ScalarType::kText;
 constexpr ScalarType kInteger = ScalarType::kInteger;
 constexpr ScalarType kReal = ScalarType::kReal;
 
-// PyYAML's resolver: a sign wants a digit behind it (-.5 is a string), an exponent a point in front and a sign behind.
+// PyYAML's resolver: a sign wants a digit after it (-.5 is a string), an exponent a point in front and a sign after.
 constexpr Row kRows[] = {
     {"1.5", kReal, kReal},
     {"-1.5", kReal, kReal},

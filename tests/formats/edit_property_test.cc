@@ -131,7 +131,7 @@ std::optional<Calibration> read_back(const Base& base, const std::string& bytes)
   return back;
 }
 
-/// DSO's camera.txt may state its numbers relative to the image's size, and ROS's those of the sensor that is binned; pixels
+/// DSO's camera.txt may specify its numbers relative to the image's size, and ROS's those of the sensor that is binned; pixels
 /// that begin at 0.5 lose a bit at a power of two: they come back to rounding.
 bool same_cameras(const Base& base, const Rig& a, const Rig& b) {
   const bool binned = base.calibration.format->id == "ros" && base.bytes.find("binning_") != std::string::npos;
@@ -263,7 +263,7 @@ TEST(EditProperty, OneElementOfAPoseChangesItsOwnNumberOnly) {
   EXPECT_GT(edits, 40);
 }
 
-// The file states it in its own direction, whatever the rig's.
+// The file specifies it in its own direction, whatever the rig's.
 TEST(EditProperty, APoseStatedTheOtherWayRoundEditsTheStatementThatIsThere) {
   for (const Base& base : all_bases()) {
     for (std::size_t p = 0; p < base.calibration.rig.poses.size(); ++p) {

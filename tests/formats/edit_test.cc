@@ -80,7 +80,7 @@ TEST(Edit, ASecondEditUndoesTheFirst) {
   EXPECT_EQ(written_over(changed, calibration.rig), bytes);
 }
 
-/// Everything a base may be asked to say again: the result reads as the rig that was asked for.
+/// Everything a base may be asked to say again: the result reads as the rig that was requested.
 struct Change {
   const char* what;
   void (*apply)(Rig& rig);

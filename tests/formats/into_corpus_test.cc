@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Another camera into every settings file that people have published: what they tuned and wrote beside it stays byte by byte,
+// Another camera into every settings file that people have published: what they tuned and wrote next to it stays byte by byte,
 // and the program that read the file before reads the new camera.
 #include "formats/test_files.h"
 
@@ -37,7 +37,7 @@ Rig with_another_lens(Rig rig) {
   return rig;
 }
 
-/// Whole lines of tuning and, `with_comments`, of comments and those behind values.
+/// Whole lines of tuning and, `with_comments`, of comments and those after values.
 std::vector<std::string> kept_by_the_owner(const std::string& bytes, bool with_comments) {
   std::vector<std::string> lines;
   for (const std::string& line : split(bytes, '\n')) {
@@ -88,7 +88,7 @@ void expect_bases_take(Rig (*change)(Rig), int fewest_tried, int fewest_proven) 
       EXPECT_FALSE(format.layout_holds(*base, model_info(other.cameras.front().model).id)) << "composed anew";
       continue;
     }
-    // A comment behind a coefficient that the new lens has not goes with it, and is listed.
+    // A comment after a coefficient that the new lens has not goes with it, and is listed.
     const bool listed =
         std::ranges::any_of(written->losses, [](const Loss& loss) { return id_of(loss) == "comments-dropped"; });
     EXPECT_EQ(kept_by_the_owner(document.bytes(), !listed), kept_by_the_owner(bytes, !listed));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every pose of a rig is in the files written from it, follows from what they state, or is a loss "pose-dropped": for every
+// Every pose of a rig is in the files written from it, follows from what they specify, or is a loss "pose-dropped": for every
 // writer by one rule.
 #include "formats/rigs.h"
 #include "formats/test_files.h"

@@ -72,7 +72,7 @@ class OracleTables {
     Counts counts;
     const std::optional<OracleCamera> camera = oracle_camera(consumer_, table);
     if (!camera) return counts;
-    for (const OracleRow& row : table.rows) compare_row(row, camera->ours, camera->theirs, counts);
+    for (const OracleRow& row : table.rows) compare_row(row, camera->in_program, camera->theirs, counts);
     EXPECT_GE(counts.compared, 15) << "too few rows compared";
     if (camera->is_rescaled()) counts.rescaled = counts.compared;
     if (camera->theirs.misread) counts.misread = counts.compared;

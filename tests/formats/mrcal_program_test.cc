@@ -34,7 +34,7 @@ bool is_there() {
 struct Case {
   std::string name;
   std::string bytes;
-  Rig rig;  ///< Of that camera, with its pose in the reference, where that is stated.
+  Rig rig;  ///< Of that camera, with its pose in the reference, where that is specified.
 };
 
 std::vector<Ray> rays() {

@@ -310,7 +310,7 @@ TEST(Mrcal, TheProgramReadsAsPythonDoes) {
   const std::string bytes = good("camera-1.cameramodel");
   EXPECT_TRUE(said_by_mrcal(bytes).loads());
   EXPECT_TRUE(said_by_mrcal(bytes).warnings.empty());
-  // Behind the first line a blank before the root means something.
+  // After the first line a blank before the root means something.
   EXPECT_FALSE(said_by_mrcal("# c\n  " + bytes.substr(bytes.find('{'))).loads());
   EXPECT_TRUE(said_by_mrcal("  " + bytes.substr(bytes.find('{'))).loads());
   EXPECT_FALSE(said_by_mrcal("\xEF\xBB\xBF" + bytes).loads());

@@ -283,7 +283,7 @@ TEST(Ncamera, OtherSensorsAreKept) {
   EXPECT_NE(rig.find_extra_field("", "LIDAR 5a1d0f3c9b7e42688d1c0a5be3f79c06"), nullptr);
 }
 
-// A file without the section gets it, with what SVO wants beside the noise.
+// A file without the section gets it, with what SVO wants besides the noise.
 TEST(Ncamera, AnImuIsAddedToAFileWithout) {
   const Written written = edited("every.yaml", [](Rig& rig) {
     rig.imus.push_back(Imu{"imu0", 2.25e-4, 2.5e-6, 3.125e-3, 1.5e-4, 250.0, ""});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // transforms.json of nerfstudio and instant-ngp: what its numbers mean, by formulas written down here once more; which object
-// states them; what an edit touches; what each loader reads from a file; and the corpus' files, read as a person reads them.
+// specifies them; what an edit touches; what each loader reads from a file; and the corpus' files, read as a person reads them.
 #include "formats/lost_facts.h"
 #include "formats/rigs.h"
 #include "formats/test_files.h"
@@ -93,7 +93,7 @@ TEST(Nerfstudio, NumbersMeanWhatItsFormulasSay) {
       {R"("camera_model": "OPENCV", )" + lens, "radtan", brown(0.0)[0], brown(0.0)[1]},
       {lens + R"(, "k3": 0.5)", "radtan", brown(0.5)[0], brown(0.5)[1], false},
       {R"("camera_model": "SIMPLE_RADIAL", )" + lens, "radtan", brown(0.0)[0], brown(0.0)[1]},
-      // Whatever stands beside it.
+      // Whatever stands next to it.
       {R"("distortion_params": [-0.1, 0.02, 0.5, 0, 0.001, -0.002], "k1": 0.3)", "radtan", brown(0.5)[0], brown(0.5)[1], false},
       {R"("camera_model": "OPENCV_FISHEYE", "distortion_params": [0.01, -0.02, 0.003, -0.0004, 0, 0])", "kb4", fisheye * kX,
        fisheye * kY, false},
@@ -371,7 +371,7 @@ TEST(Nerfstudio, AFreshIdealFisheyeStaysOneToInstantNgp) {
   EXPECT_NE(resized.find("\"k1\": 0,"), std::string::npos) << resized;
 }
 
-// A list in a frame counts to nobody beside coefficients at the top; a key in a frame counts to instant-ngp alone.
+// A list in a frame counts to nobody next to coefficients at the top; a key in a frame counts to instant-ngp alone.
 TEST(Nerfstudio, AFramesCoefficientsThatContradictTheTopAreTold) {
   const auto codes = [](const std::string& top, const std::vector<std::string>& frames) {
     Parsed parsed = parse(file(std::string(kNumbers) + (top.empty() ? "" : ", ") + top, frames), kName);

@@ -19,7 +19,7 @@ std::vector<std::string> names_in(const std::string& folder) {
   return names;
 }
 
-// Beside the formats' own folders (corpus_test.cc has their table).
+// Next to the formats' own folders (corpus_test.cc has their table).
 TEST(WordsCorpus, DsoFilesAreReadAndWrittenBack) {
   if (!has_shared()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
   const std::vector<std::string> files = names_in("extra/dso_camera_txt");

@@ -87,7 +87,7 @@ RC_GTEST_PROP(OCamCalibWrite, ReadsBackBitEqualAndWorld2camAgrees, ()) {
   RC_ASSERT(proof.agrees());
 }
 
-// exportData2TXT.m's layout: each of the five blocks behind one line that begins with '#'.
+// exportData2TXT.m's layout: each of the five blocks after one line that begins with '#'.
 TEST(OCamCalibWrite, OneCommentLineBeforeEachBlock) {
   const Camera camera =
       camera_with({480.5, 300.25, 1.0, 0.0, 0.0, -310.25, 0.0, 1.2e-3, -1.5e-6, 2.1e-9, 0.0, 0.0, 0.0, 0.0}, {960, 600});
@@ -185,7 +185,7 @@ TEST(OCamCalibEdit, AnotherDirectPolynomialGetsItsInverse) {
       EXPECT_TRUE(back.rig.cameras == rig.cameras) << bytes_of(written);
       EXPECT_LE(ocamcalib::inverse_error(rig.cameras[0], inverse_in(bytes_of(written))), 1e-6);
       EXPECT_TRUE(prove(world2cam(), bytes_of(written), {}, rig).agrees()) << bytes_of(written);
-      // What stands behind the two polynomials is the same, and so are its bytes.
+      // What stands after the two polynomials is the same, and so are its bytes.
       const std::size_t tail = bytes.find("297.625");
       EXPECT_TRUE(bytes_of(written).ends_with(bytes.substr(tail)));
     }

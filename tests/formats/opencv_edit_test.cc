@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writing a rig over an OpenCV file changes what differs and no other byte; where the keys cannot hold the rig, the file is
-// rewritten and that is said.
+// rewritten and that is reported.
 #include "formats/lost_facts.h"
 #include "formats/rigs.h"
 #include "formats/test_files.h"
@@ -132,7 +132,7 @@ TEST(OpenCvEdit, MapsOfTwoCamerasCanHoldTheirPoseBesideThem) {
   EXPECT_EQ(bytes_of(write(base, rig)), with_replaced(bytes, "-0.125", "-0.25"));
 }
 
-/// Everything a base may be asked to say again: the result reads as the rig that was asked for, and OpenCV agrees.
+/// Everything a base may be asked to say again: the result reads as the rig that was requested, and OpenCV agrees.
 struct Change {
   const char* what;
   void (*apply)(Rig& rig);
@@ -291,7 +291,7 @@ TEST(OpenCvEdit, AnAmbiguousBaseStaysAsItIsUntilItsCoefficientsChange) {
   }
 }
 
-// A size is a fact: a file that states none begins to, where its keys can.
+// A size is a fact: a file that specifies none begins to, where its keys can.
 TEST(OpenCvEdit, ASizeThatTheBaseDoesNotStateIsAdded) {
   const Base base = good("k1d1.yml");
   Rig rig = base.rig();
@@ -326,7 +326,7 @@ Rig as_rational(Rig rig) {
   return rig;
 }
 
-// A longer vector is the old one with more behind it: neither its spelling nor its layout changes.
+// A longer vector is the old one with more after it: neither its spelling nor its layout changes.
 TEST(OpenCvEdit, AVectorGrowsAndShrinksInItsOwnLayout) {
   const Base yaml = good("calibration.yml");
   const std::string longer = with_replaced(with_replaced(yaml.bytes, "rows: 5", "rows: 8"), "-9.7656250000000000e-04 ]",
@@ -408,7 +408,7 @@ TEST(OpenCvEdit, AFileOfThePoseAloneKeepsTheRest) {
   EXPECT_EQ(bytes_of(write(base, sample_rig("kb4", {false, false}))), base.bytes);
 }
 
-// What the input says beside its cameras is compared as a whole, matrices too.
+// What the input says besides its cameras is compared as a whole, matrices too.
 TEST(OpenCvEdit, WhatTheInputSaysOtherwiseIsSaid) {
   const std::string changed =
       with_replaced(read_file(testdata_dir() / "opencv/good/k1d1.yml"), "0.0, 0.0, 0.28", "0.0, 0.0, 0.5");

@@ -95,7 +95,7 @@ Transform any_pose() {
   return T;
 }
 
-/// Cameras of one model ("" for several), one size, posed as the layout states it.
+/// Cameras of one model ("" for several), one size, posed as the layout specifies it.
 Rig any_rig(std::size_t cameras, const std::string& model, bool to_reference) {
   Rig rig;
   const ImageSize size = {*rc::gen::inRange(1, 5000), *rc::gen::inRange(1, 5000)};

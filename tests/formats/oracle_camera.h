@@ -16,7 +16,7 @@ struct OracleCamera {
   consumers::ConsumerCamera theirs;
   /// The camera that the program computes with: ours, or where it misreads its second camera, that with the first one's lens
   /// coefficients (FORMATS.md 3.2). In pixels of the file.
-  CameraModel ours;
+  CameraModel in_program;
   [[nodiscard]] bool is_rescaled() const { return theirs.scale[0] != 1.0 || theirs.scale[1] != 1.0; }
 };
 

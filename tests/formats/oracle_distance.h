@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a program computed (oracles/) beside what a file of ours says of the same rays.
+// What a program computed (oracles/) next to what a file of ours says of the same rays.
 #pragma once
 
 #include "formats/oracle_table.h"
@@ -33,7 +33,7 @@ inline constexpr std::array kPrinted = {
 
 inline constexpr double kReadyPx = 0.25;
 
-/// The camera's own pixels of a region beside those that a program printed.
+/// The camera's own pixels of a region next to those that a program printed.
 struct OracleDistance {
   int compared = 0;
   double rms = 0.0;

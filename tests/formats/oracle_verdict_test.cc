@@ -17,7 +17,7 @@ ProjectRay by_model(const Camera& camera) {
   return [&camera](const Ray& ray) { return project(camera.model, ray); };
 }
 
-/// What the verdict says of a table's camera, beside what the program computed.
+/// What the verdict says of a table's camera, next to what the program computed.
 struct Verdicts {
   int tables = 0;
   int ready = 0;

@@ -202,8 +202,8 @@ TEST(OrbSlam3Write, ReadsBackBitEqual) {
   }
 }
 
-// Figures: a RealSense T265 as upstream's Examples/Monocular/RealSense_T265.yaml states it. Its lens bends more than TUM-VI's
-// and its image is wider: float arithmetic alone costs 2.6e-4 px there, which is no disagreement.
+// Figures: a RealSense T265 as upstream's Examples/Monocular/RealSense_T265.yaml specifies it. Its lens bends more than
+// TUM-VI's and its image is wider: float arithmetic alone costs 2.6e-4 px there, which is no disagreement.
 TEST(OrbSlam3Write, AT265Agrees) {
   Rig rig = sample_rig("kb4", {false, false});
   rig.cameras[0].model = model_of("kb4", {283.794586181641, 284.952392578125, 424.865386962891, 396.590911865234,
@@ -215,7 +215,7 @@ TEST(OrbSlam3Write, AT265Agrees) {
 }
 
 // FORMATS.md 3.2: T_c1_c2 = inverse of Kalibr's T_cn_cnm1, T_b_c1 = inverse of T_cam_imu. The numbers of TUM-VI as upstream's
-// Examples/Stereo-Inertial/TUM-VI.yaml states them, to the digits it prints.
+// Examples/Stereo-Inertial/TUM-VI.yaml specifies them, to the digits it prints.
 TEST(OrbSlam3Write, PosesPointTheRightWay) {
   const cv::FileStorage storage = opened(bytes_of(write(sample_rig("kb4", {true, true}))));
   const cv::Mat T_c1_c2 = storage["Stereo.T_c1_c2"].mat();

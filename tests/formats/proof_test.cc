@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the proof tells of several cameras at once, beside that they agree.
+// What the proof tells of several cameras at once, besides that they agree.
 #include "formats/rigs.h"
 #include "formats/test_files.h"
 

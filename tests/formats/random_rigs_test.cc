@@ -148,7 +148,7 @@ void require_common_view(const Rig& rig) {
   if (rig.cameras.size() > 1) RC_PRE(may_be_stereo(rig, rig.cameras[0], rig.cameras[1]) && !second_below_first(rig));
 }
 
-/// As a camchain states poses: each camera to the one before it, the first to the IMU.
+/// As a camchain specifies poses: each camera to the one before it, the first to the IMU.
 void chain(Rig& rig) {
   for (std::size_t i = 1; i < rig.cameras.size(); ++i)
     rig.poses.push_back({rig.cameras[i].name, rig.cameras[i - 1].name, random_pose()});
@@ -210,7 +210,7 @@ void same_poses(const Rig& a, const Rig& b, double tolerance) {
   }
 }
 
-// Two cameras and an IMU come home from settings; time offsets do not, and that is said.
+// Two cameras and an IMU come home from settings; time offsets do not, and that is reported.
 RC_GTEST_PROP(RandomRigs, KalibrToOrbSlam3AndBack, ()) {
   const Shape shape = {"kalibr", {"radtan", "kb4"}, 2, true, true, true, false, 2};
   Rig rig = random_rig(shape);
@@ -244,7 +244,7 @@ RC_GTEST_PROP(RandomRigs, KalibrToOpenCvAndBack, ()) {
 }
 
 // Each camera in the vehicle, as a quaternion, and back by way of R and T between cameras. OpenCV has no vehicle, which is
-// said; the models are WoodScape's alone and come home beside the poses.
+// said; the models are WoodScape's alone and come home next to the poses.
 RC_GTEST_PROP(RandomRigs, WoodScapeToOpenCvAndBack, ()) {
   const Shape shape = {"woodscape", {"kb4"}, 4, true, false, false, false, 2};
   Rig rig = random_rig(shape);

@@ -105,7 +105,7 @@ TEST(Rectification, IsInTheUnitThatIsTold) {
   EXPECT_TRUE(states_rectification(calibration->rig));
 }
 
-// What is no rectification is a key without meaning, and no error: programs put all kinds of things beside a calibration.
+// What is no rectification is a key without meaning, and no error: programs put all kinds of things next to a calibration.
 TEST(Rectification, IsNoneWhereMatricesAreNone) {
   const std::optional<Written> files = written(pair_rig(false), "opencv");
   ASSERT_TRUE(files);

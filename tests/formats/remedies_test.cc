@@ -10,7 +10,7 @@
 namespace fca::test {
 namespace {
 
-/// A rig that states whatever a rig can state.
+/// A rig that specifies whatever a rig can state.
 Rig talkative_rig(const Format& format) {
   Rig rig = sample_rig("kb4", {true, true});
   for (Camera& camera : rig.cameras) {

@@ -347,7 +347,7 @@ TEST(Ros, AnIniOfAPairIsAPair) {
   EXPECT_EQ(edited.substr(0, right), bytes.substr(0, right)) << "the left camera's";
 }
 
-// R = I and no baseline is what every camera alone states.
+// R = I and no baseline is what every camera alone specifies.
 TEST(Ros, CamerasAloneStateNoPoseToEachOther) {
   const Rig rig = joined({good("mono.yaml"), good("mono.yaml")});
   ASSERT_EQ(rig.cameras.size(), 2U);

@@ -49,7 +49,7 @@ std::vector<Tabled> tabled_files() {
   return files;
 }
 
-/// Is the place of a fact among what the format's writer edits for a rig that states another one?
+/// Is the place of a fact among what the format's writer edits for a rig that specifies another one?
 bool is_edited(const Tabled& file, std::size_t camera, const Fact& fact, const Rig& changed) {
   const text::Node* place = schema::place_of(file.table, file.document(), file.calibration.rig, camera, fact);
   Diagnostics diagnostics;

@@ -43,7 +43,7 @@ TEST(Sibling, AKalibrCameraTakesTheStyleOfTheOneBeforeIt) {
   for (const fs::path& path : files_in(testdata_dir() / "kalibr" / "good", ".yaml")) {
     const std::string bytes = read_file(path);
     const Calibration base = calibration_of(bytes);
-    // Beside other keys cameras neither come nor go.
+    // Next to other keys cameras neither come nor go.
     const bool cameras_alone = std::ranges::all_of(base.documents.front().root().entries,
                                                    [](const text::Entry& entry) { return entry.key.value.starts_with("cam"); });
     if (base.rig.cameras.empty() || !cameras_alone) continue;
@@ -110,7 +110,7 @@ TEST(Sibling, AnOpenCvCameraTakesTheStyleOfOneOfItsKind) {
     const bool xml = std::string(extension) == ".xml";
     std::string sibling = xml ? between(result, "<camera_1>", "</camera_1>") : between(result, "camera_1", "camera_2");
     std::string added = xml ? between(result, "<camera_3>", "</camera_3>") : between(result, "camera_3", "</none>");
-    // The fisheye's matrices alone: what stands behind them is the neighbours' affair.
+    // The fisheye's matrices alone: what stands after them is the neighbours' affair.
     sibling = sibling.substr(0, sibling.find("distortion_type"));
     added = added.substr(0, added.find("distortion_type"));
     EXPECT_EQ(shape(added), shape(sibling)) << result;

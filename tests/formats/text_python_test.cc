@@ -196,7 +196,7 @@ TEST(TextPython, CommentsAreFound) {
   EXPECT_EQ(commented.bytes().find("# generated on 2026-01-02 { [ '\n# Written by fca-io\n{"), 0U) << commented.bytes();
 }
 
-// Whatever goes, what is left is a literal of the keys that stay; a comma behind the last one included.
+// Whatever goes, what is left is a literal of the keys that stay; a comma after the last one included.
 TEST(TextPython, AnySubsetOfEntriesMayGo) {
   for (const char* bytes :
        {"{\n    'a': 1,\n    'b': [1, 2],\n    'c': 'x',\n}\n", "{'a': 1, 'b': 2, 'c': 3}", "{'a':1,'b':2,'c':3,}"}) {

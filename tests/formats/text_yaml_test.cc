@@ -125,7 +125,7 @@ TEST(TextYaml, OpenCvKeysNeedNoBlank) {
 }
 
 TEST(TextYaml, ThePrePassTouchesBlockKeysOnly) {
-  // {line, the same behind the pre-pass}
+  // {line, the same after the pre-pass}
   const std::pair<std::string, std::string> kLines[] = {
       {"key:1\n", "key: 1\n"},
       {"  a.b-c_9:x\n", "  a.b-c_9: x\n"},

@@ -240,7 +240,7 @@ TEST(CameraTxt, AnotherLensIsAnotherFirstLine) {
   }
 }
 
-// DSO has no such lens, or would take the centre for a relative one: the camera goes into a chain, and that is said.
+// DSO has no such lens, or would take the centre for a relative one: the camera goes into a chain, and that is reported.
 TEST(CameraTxt, WhatItCannotSayBecomesAChain) {
   const Calibration calibration = calibration_of(read_file(testdata_dir() / "dso/good/radtan-bare.txt"), "camera.txt");
   const auto becomes_a_chain = [&calibration](const Rig& rig) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that state how uncertain a calibration is: Kalibr's report, a covariance, OpenCV's standard deviations.
+// Files that specify how uncertain a calibration is: Kalibr's report, a covariance, OpenCV's standard deviations.
 #include "test_files.h"
 
 #include <fca/code.h>

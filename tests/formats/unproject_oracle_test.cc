@@ -154,14 +154,14 @@ class OracleTables {
     const std::array<double, 2>& scale = camera.theirs.scale;
     if (camera.is_rescaled()) ++counts.rescaled;
     if (camera.theirs.misread) ++counts.misread;
-    const std::optional<Ray> ours = unproject(camera.ours, {row.pixel[0] / scale[0], row.pixel[1] / scale[1]});
+    const std::optional<Ray> ours = unproject(camera.in_program, {row.pixel[0] / scale[0], row.pixel[1] / scale[1]});
     if (!ours) {
       ADD_FAILURE() << "we have no ray for the pixel " << row.pixel[0] << " " << row.pixel[1];
       return;
     }
     // In pixels of the file; the program's are as many times larger as it scales the image.
     const double allowed = (back + tolerance) / std::min(scale[0], scale[1]);
-    const double difference = angle_between(*ours, row.ray) * fewest_pixels_per_radian(camera.ours, *ours);
+    const double difference = angle_between(*ours, row.ray) * fewest_pixels_per_radian(camera.in_program, *ours);
     EXPECT_LE(difference, allowed) << "at " << row.pixel[0] << " " << row.pixel[1];
     counts.worst = std::max(counts.worst, difference / allowed);
   }

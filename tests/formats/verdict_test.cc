@@ -123,7 +123,7 @@ TEST(Verdict, AClockThatTheProgramDoesNotReadAsksForCare) {
   }
 }
 
-// A chain that Kalibr refuses is none the better for the imu.yaml beside it.
+// A chain that Kalibr refuses is none the better for the imu.yaml next to it.
 TEST(Verdict, AnotherFileThatLoadsDoesNotExcuseARefusal) {
   ProofResult refusing = proof_of(distance(0.0, 0.0), distance(0.0, 0.0), false);
   refusing.loads = false;

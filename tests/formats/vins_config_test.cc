@@ -12,7 +12,7 @@ namespace {
 const Format& vins() { return *find_format("vins"); }
 std::string good(const std::string& name) { return read_file(testdata_dir() / "vins" / "good" / name); }
 
-/// The configuration with two camera files beside it, as the command reads them.
+/// The configuration with two camera files next to it, as the command reads them.
 Calibration read_together(const std::string& config, const std::string& cam0, const std::string& cam1) {
   Diagnostics diagnostics;
   std::optional<Calibration> calibration = read_calibration(

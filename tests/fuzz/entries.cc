@@ -34,7 +34,7 @@ constexpr std::array kSyntaxes = {SyntaxRow{"yaml", text::Syntax::kYaml, ".yaml"
                                   SyntaxRow{"ini", text::Syntax::kWords, ".ini"},
                                   SyntaxRow{"binary", text::Syntax::kBinary, ".bin"}};
 
-/// Beside the parser alone, the file as whatever format it is taken for: what sections, lines and keys are is decided there.
+/// Besides the parser alone, the file as whatever format it is taken for: what sections, lines and keys are is decided there.
 Complaints run_syntax(const SyntaxRow& row, std::string_view bytes) {
   Complaints complaints = parse_promises(row.syntax, bytes);
   const Complaints read = read_promises(nullptr, bytes, "fuzz" + std::string(row.extension), Depth::kRead);

@@ -30,7 +30,7 @@ class Checker {
   void expect(bool kept, const std::string& promise) {
     if (!kept) complaints_.push_back(promise);
   }
-  /// Nothing without an error, and no error beside something.
+  /// Nothing without an error, and no error together with something.
   void expect_reason(bool result, const Diagnostics& diagnostics, const std::string& step) {
     expect(result || diagnostics.has_errors(), step + " is refused without an error");
     for (const Diagnostic& entry : diagnostics.entries())

@@ -120,7 +120,7 @@ Rig named_rig(const std::string& first) {
   return rig;
 }
 
-/// Everything that is said beside the files.
+/// Everything that is said besides the files.
 std::string said_of(const Written& written, const Diagnostics& diagnostics) {
   std::string text;
   for (const Loss& loss : written.losses) text += id_of(loss) + " " + what_of(loss) + " " + why_of(loss) + "\n";

@@ -81,7 +81,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   if (const std::optional<std::string> problem = problem_with_patterns(arguments.files))
     return console.refuse(ExitCode::kIo, *problem);
   std::vector<FoundFile> files = walk(arguments.files);
-  for (std::size_t i = 0; i < files.size(); ++i) {  // the files that one names are checked behind it
+  for (std::size_t i = 0; i < files.size(); ++i) {  // the files that one names are checked after it
     const FoundFile file = files[i];
     Diagnostics diagnostics;
     std::optional<text::Source> source = console.files().read(file.path, diagnostics);

@@ -34,9 +34,9 @@ enum class CheckDetail : std::uint8_t {
 /// One line for all, where there are several.
 [[nodiscard]] std::string check_summary(const CheckedFiles& checked);
 [[nodiscard]] std::string check_json(const CheckedFiles& checked, const Console& console);
-/// SARIF 2.1.0, as CI services show it beside the lines.
+/// SARIF 2.1.0, as CI services show it next to the lines.
 [[nodiscard]] std::string check_sarif(const CheckedFiles& checked);
-/// What changed between two texts, line by line: "-" and "+" lines behind "@ LINE" of the old text.
+/// What changed between two texts, line by line: "-" and "+" lines after "@ LINE" of the old text.
 [[nodiscard]] std::string line_diff(std::string_view before, std::string_view after);
 /// The long story of a code; of one that no finding has, its sentences.
 [[nodiscard]] std::string explanation(const CodeInfo& code);

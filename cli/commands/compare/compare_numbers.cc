@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers of two calibrations beside each other, those that differ.
+// The numbers of two calibrations next to each other, those that differ.
 #include "compare_command.h"
 #include "shell/words.h"
 

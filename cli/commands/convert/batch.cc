@@ -37,7 +37,7 @@ bool holds_no_camera(const ConvertOutcome& outcome) {
   });
 }
 
-/// Beside the outputs, where there is room for them; where none are written, where temporary files are.
+/// Next to the outputs, where there is room for them; where none are written, where temporary files are.
 std::string spool_folder(const ConvertArguments& arguments) {
   std::error_code error;  // what cannot be asked is no folder
   if (arguments.dry_run || !arguments.output.holds_many()) return fs::temp_directory_path(error).string();

@@ -18,7 +18,7 @@ class BatchReport {
 
   /// The next one. `is_reached`: its files are in their places, as far as there are any; false: Ctrl-C.
   void add(const Finished& finished, bool is_reached);
-  /// Behind the last one.
+  /// After the last one.
   void end();
 
   /// The worst of those that were reached.

@@ -27,7 +27,7 @@ class ConversionsJson {
  public:
   /// The next conversion_json(), of so many, with what stands before it.
   [[nodiscard]] std::string next(const std::string& conversion, std::size_t conversions);
-  /// What stands behind the last one.
+  /// What stands after the last one.
   [[nodiscard]] std::string end(std::size_t conversions) const;
 
  private:

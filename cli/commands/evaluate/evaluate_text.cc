@@ -51,7 +51,7 @@ std::string field_of_view_in_words(const std::optional<double>& max_angle_deg) {
   return max_angle_deg ? "inside " + text::format_short(*max_angle_deg, 4) + " deg from the axis" : "the whole image";
 }
 
-/// Each reason once, behind the rows it is for.
+/// Each reason once, after the rows it is for.
 std::string reasons(const std::vector<EvaluatedRow>& rows) {
   std::string text;
   std::vector<std::string_view> said;

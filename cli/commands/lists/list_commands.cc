@@ -27,7 +27,7 @@ namespace {
 std::vector<std::string> model_names(const Format& format, bool stock) {
   std::vector<std::string> names;
   for (const StoredModel& row : format.models) {
-    // What is only kept beside a model of the list is none of its own.
+    // What is only kept next to a model of the list is none of its own.
     if (row.stock == stock && (stock || !find_model(row.model)->kept_only)) names.emplace_back(row.model);
   }
   return names;

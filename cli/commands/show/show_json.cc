@@ -91,7 +91,7 @@ void put_mode(Json& json, const ProgramReading::Mode& mode, bool lens_given) {
   json.put("warnings", std::span<const std::string>(misreadings(proof, lens_given)));
 }
 
-/// As the file states it.
+/// As the file specifies it.
 void put_rectified(Json& json, const std::optional<RectifiedPair>& pair) {
   if (!pair) return json.null("rectified");
   json.object("rectified", [&] {

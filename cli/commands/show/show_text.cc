@@ -27,7 +27,7 @@ std::string degrees_or(const std::optional<double>& value) {
 /// "+ 0.0021", "- 0.0003"
 std::string signed_in_words(double value) { return (value < 0.0 ? "- " : "+ ") + text::format_short(std::abs(value), 9); }
 
-/// Does what was read beside the representation speak of that camera?
+/// Does what was read next to the representation speak of that camera?
 bool is_of(const ExtraField& extra, const Camera& camera) { return extra.owner == camera.name; }
 
 /// What is known of a lens without a model.
@@ -69,7 +69,7 @@ std::string model_text(const Camera& camera, double limit_deg) {
   return text;
 }
 
-/// "458.654 +- 0.31": the parameters that a file states standard deviations of.
+/// "458.654 +- 0.31": the parameters that a file specifies standard deviations of.
 std::string sigmas_text(const Uncertainty& uncertainty) {
   std::string text;
   if (!uncertainty.sigmas.empty()) {
@@ -267,7 +267,7 @@ std::string show_text(const ShownFile& shown) {
   if (calibration.rig.rectified) text += rectified_text(*calibration.rig.rectified);
   if (!calibration.rig.poses.empty()) text += "\nposes\n";
   for (auto edge = calibration.rig.poses.begin(); edge != calibration.rig.poses.end(); ++edge) {
-    // Two files of one calibration may state the same pose.
+    // Two files of one calibration may specify the same pose.
     if (std::find(calibration.rig.poses.begin(), edge, *edge) == edge) text += pose_text(*edge, calibration);
   }
   text += others_text(calibration.rig);

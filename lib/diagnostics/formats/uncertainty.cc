@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that state how uncertain a calibration is (formats/uncertainty).
+// Files that specify how uncertain a calibration is (formats/uncertainty).
 #include "../rows.h"
 #include "../topics.h"
 

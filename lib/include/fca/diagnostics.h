@@ -44,7 +44,7 @@ struct Diagnostic {
 [[nodiscard]] bool same_id(Code a, Code b);
 [[nodiscard]] bool same_id(Code code, std::span<const Code> any);
 
-/// Collects every problem of a run; warnings may stand beside a success.
+/// Collects every problem of a run; warnings may stand next to a success.
 class Diagnostics {
  public:
   void add(Diagnostic diagnostic) { entries_.push_back(std::move(diagnostic)); }

@@ -82,7 +82,7 @@ class PolynomialOf {
   std::array<Series, std::tuple_size_v<Coefficients>> sums_;  ///< Before each multiplication with x.
 };
 
-/// The coefficients of rho(angle) behind the first one, from the differential equation rho' h(rho) = g(rho)^2 + rho^2,
+/// The coefficients of rho(angle) after the first one, from the differential equation rho' h(rho) = g(rho)^2 + rho^2,
 /// h(rho) = g - rho dg/drho: what angle = atan2(rho, g(rho)) says of its derivative.
 void continue_radius(const ImplicitRadius& f, Series& rho) {
   PolynomialOf::Coefficients g;

@@ -91,7 +91,7 @@ constexpr std::string_view kQuestions = R"(
     };)";
 
 /// Opens the page in a frame of that width (a window is never as narrow as a telephone). A script around the frame looks at it;
-/// the page itself allows none. Of its pictures there are copies beside the frame, which know whether they could be decoded.
+/// the page itself allows none. Of its pictures there are copies next to the frame, which know whether they could be decoded.
 LaidOut laid_out(const std::string& html, int width, Scheme scheme = Scheme::kLight) {
   const TemporaryFolder folder;
   std::string copies;
@@ -181,7 +181,7 @@ std::size_t sheets_of(const std::string& html) {
   return count_of(pdf, "/Type /Page\n");
 }
 
-// All of it, over several sheets: nothing is cut off behind the first.
+// All of it, over several sheets: nothing is cut off after the first.
 TEST(ReportOnPaper, HasAsManySheetsAsItTakes) {
   if (browser() == nullptr) GTEST_SKIP() << "Chromium is not installed (.ci/install-packages installs it)";
   const std::size_t of_one = sheets_of(page({kTumvi, "--camera", "cam0"}));

@@ -32,7 +32,7 @@ double share_of(const cv::Mat4b& picture, Which&& which) {
 }
 
 TEST(ReportPicture, ShowsWhichPartsWereScored) {
-  constexpr double kOfTheImage = 2e-3;  // a lattice's shares beside pixels'
+  constexpr double kOfTheImage = 2e-3;  // a lattice's shares next to pixels'
   const rapidjson::Document eucm = converted("eucm", {"--max-angle", "97.5"});
   const std::vector<cv::Mat4b> maps = pictures(page({kTumvi, "--model", "eucm", "--max-angle", "97.5"}));
   ASSERT_EQ(maps.size(), 2U);

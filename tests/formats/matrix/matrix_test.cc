@@ -38,7 +38,7 @@ constexpr double kComparedShare = 0.9;  ///< of what the report scores
 struct Source {
   std::string format;
   std::vector<fs::path> paths;
-  std::optional<Size> size = std::nullopt;  ///< For files that state none.
+  std::optional<Size> size = std::nullopt;  ///< For files that specify none.
 
   [[nodiscard]] std::string name() const { return paths.front().filename().string(); }
   /// What the program is told to read it.
@@ -342,7 +342,7 @@ bool holds_no_camera(const fs::path& path) {
          kParts.contains(path.filename().string());
 }
 
-/// Of our own files that state no size.
+/// Of our own files that specify no size.
 std::optional<Size> size_of_sizeless(const fs::path& path) {
   static const std::map<std::string, Size> sizes = {{"k1d1.yml", {640, 360}},
                                                     {"stereo-14.yml", {640, 480}},
@@ -478,7 +478,7 @@ TEST(Matrix, EveryFormatHasAnIndependentReader) {
   }
 }
 
-// A test per source's format, so that they run beside each other.
+// A test per source's format, so that they run next to each other.
 class MatrixFrom : public testing::TestWithParam<const Format*> {};
 
 TEST_P(MatrixFrom, EveryTargetReproducesTheSourcesPixels) {

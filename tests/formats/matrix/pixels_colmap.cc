@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// COLMAP's cameras.txt: words behind an id, a model and a size, in the order of MORE-FORMATS.md section 2, with the first
+// COLMAP's cameras.txt: words after an id, a model and a size, in the order of MORE-FORMATS.md section 2, with the first
 // pixel's centre at (0.5, 0.5). COLMAP itself stops at 90 deg from the axis, where the formulas of its fisheyes go on.
 #include "pixels_colmap.h"
 

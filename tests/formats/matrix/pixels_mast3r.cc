@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MASt3R-SLAM's intrinsics.yaml as its dataloader.py computes it: cv::initUndistortRectifyMap's coefficients behind fx fy cx
+// MASt3R-SLAM's intrinsics.yaml as its dataloader.py computes it: cv::initUndistortRectifyMap's coefficients after fx fy cx
 // cy.
 #include "pixels_mast3r.h"
 

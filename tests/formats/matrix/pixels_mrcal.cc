@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// mrcal's .cameramodel (MORE-FORMATS.md section 12): the list behind a key in quotes, in OpenCV's formulas with k1 k2 p1 p2 k3
+// mrcal's .cameramodel (MORE-FORMATS.md section 12): the list after a key in quotes, in OpenCV's formulas with k1 k2 p1 p2 k3
 // k4 k5 k6 s1 s2 s3 s4. Poses are rotation vector and translation of the reference in the camera.
 #include "pixels_mrcal.h"
 
@@ -49,7 +49,7 @@ std::string word(const std::string& bytes, const std::string& key) {
   return bytes.substr(at + 1, bytes.find(bytes[at], at + 1) - at - 1);
 }
 
-/// T_reference_camera: the inverse of what is stated.
+/// T_reference_camera: the inverse of what is specified.
 std::optional<Pose> pose_in_reference(const std::string& bytes) {
   std::vector<double> rt = numbers(bytes, "rt_cam_ref");
   if (rt.empty()) rt = numbers(bytes, "extrinsics");

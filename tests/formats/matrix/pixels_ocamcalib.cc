@@ -3,7 +3,7 @@
 // "OCamCalib conventions" (ocam_functions.c: get_ocam_model, cam2world, world2cam, as vendored in ctu-mrs/uvdar_core@5a375cb):
 // x is the row's direction, y the column's, z points backwards; the centre is (row, column). The camera is what the direct
 // polynomial says (cam2world); what world2cam computes from the file's inverse polynomial is an approximation that the file
-// stores beside it.
+// stores next to it.
 #include "pixels_ocamcalib.h"
 
 #include <sstream>

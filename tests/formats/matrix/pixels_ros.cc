@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ROS's camera_info as sensor_msgs/CameraInfo.msg documents it and image_geometry computes with it: K and D of the image as it
 // comes, by OpenCV's formulas (its documentation of calib3d and fisheye), of the region of interest and the binning that the
-// file states. R rotates into the rectified frame; P(0, 3) = -fx x and P(1, 3) = -fy y of the camera's place in it.
+// file specifies. R rotates into the rectified frame; P(0, 3) = -fx x and P(1, 3) = -fy y of the camera's place in it.
 //
 // Behind the camera cv::projectPoints mirrors; there this formula has no pixel. cv::fisheye divides by z first and so ends at
 // 90 deg; here the angle is taken instead: that limit is the program's own affair, the formula goes on.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The independent readers by themselves: small texts, with pixels computed by other means (Python's mpmath, 30 digits, from the
-// formulas of FORMATS.md), and the tables that the real programs printed, where they are beside the repository.
+// formulas of FORMATS.md), and the tables that the real programs printed, where they are next to the repository.
 #include "formats/corpus_folders.h"
 #include "formats/matrix/geometry.h"
 #include "formats/matrix/ray_search.h"

@@ -29,7 +29,7 @@ inline RayToPixel sensor_lens(const std::vector<double>& k, std::vector<double> 
   };
 }
 
-/// T_second_first of the first two files that state a camera in the body.
+/// T_second_first of the first two files that specify a camera in the body.
 inline std::vector<Pose> second_in_first(const std::vector<std::string>& files,
                                          std::optional<Pose> (*pose_in_body)(const std::string& bytes)) {
   std::vector<Pose> poses;

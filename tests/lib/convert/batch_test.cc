@@ -169,7 +169,7 @@ RC_GTEST_PROP(BatchProperty, AScorerDecidesAsTheModelsDo, ()) {
     RC_ASSERT((batch.verdict[i] == internal::Verdict::kScored) == image.has_value());
     if (!image) continue;
     const double error = std::hypot((*image)[0] - pixel[0], (*image)[1] - pixel[1]);
-    // A ray that is 1e-12 beside the other one: that far, on a target as steep as it may be there.
+    // A ray that is 1e-12 from the other one: that far, on a target as steep as it may be there.
     const double steepness = 1.0 + error / 100.0;
     RC_ASSERT(std::abs(batch.error[i] - error) <= 1e-9 * steepness * steepness);
   }

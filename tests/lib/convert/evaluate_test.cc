@@ -101,7 +101,7 @@ std::vector<TablePair> table() {
       {kalibr_kb4(), {}, all},
       {euroc(), {}, all},
       {rational_lens(), {}, all},
-      // up to its corners, where errors are many times those beside them
+      // up to its corners, where errors are many times those next to them
       {make_camera(Intrinsics<Kb4>{{280, 280, 322, 237, -0.03, 0.07, -0.06, 0.018}}, {640, 480}), {}, all}};
   const std::vector<std::pair<Camera, double>> lenses = {
       {tumvi(), 97.5}, {t265_like(), 83.0}, {ocamcalib_sample(), 95.0}, {woodscape_front(), 95.0}, {lens_220(), 110.0}};

@@ -168,7 +168,7 @@ Reference<M> reference_fit(const Sampled& sampled, Random& random) {
   return best;
 }
 
-/// One fit beside its reference. False where no start of the reference leads anywhere.
+/// One fit next to its reference. False where no start of the reference leads anywhere.
 template <CameraModelType M>
 bool expect_no_worse_than_reference(const Camera& camera, const Sampled& sampled, Random& random) {
   const std::optional<internal::FittedModel> fitted = internal::fit_model(M::kId, sampled.samples, sampled.centre, {});
@@ -261,7 +261,7 @@ double reference_over_pixels(const Camera& camera, const FieldOfView& field_of_v
   return std::isfinite(reference.rms_px) ? best : reference.rms_px;
 }
 
-/// One conversion, evaluated by every pixel, beside its reference.
+/// One conversion, evaluated by every pixel, next to its reference.
 template <CameraModelType M>
 bool expect_no_worse_over_pixels(const Camera& camera, Random& random) {
   ConvertOptions options;

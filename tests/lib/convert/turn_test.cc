@@ -76,7 +76,7 @@ TEST(Turn, OfAKnownLensIsFound) {
     Diagnostics diagnostics;
     const std::optional<Conversion> found = convert(table_of(lens, T_frame_camera), turned_to(target), diagnostics);
     ASSERT_TRUE(found && found->report.turn) << target;
-    // Back into the lens's own frame. A model that is not the lens's fits a frame beside it as well.
+    // Back into the lens's own frame. A model that is not the lens's fits a frame next to it as well.
     const Transform rest = found->report.turn->T_target_source * T_frame_camera;
     const double off = angle_between(rest, Transform());
     EXPECT_LT(off, std::string(target) == "kb4" ? 1e-6 : 1e-3) << target;

@@ -179,7 +179,7 @@ TEST(Weight, AnotherMinimisationAgrees) {
     const std::vector<GridPoint> points = grid_of(camera, 75.0, kind);
     const std::optional<Conversion> ours = converted(camera, options_to("eucm", kind));
     ASSERT_TRUE(ours);
-    // From beside it.
+    // From a start near it.
     CameraModel start = ours->camera.model;
     for (double& value : parameter_values(start)) value *= 1.02;
     const Eigen::VectorXd theirs = minimised(points, start);

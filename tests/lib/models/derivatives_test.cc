@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What models offer to fits beside their formula is the formula: derivatives by hand against automatic ones, and linear terms.
+// What models offer to fits besides their formula is the formula: derivatives by hand against automatic ones, and linear terms.
 #include "model_test_support.h"
 
 #include <fca/convert/fit_target.h>

@@ -45,7 +45,7 @@ TEST(FieldsOfView, OfAPinholeFollowFromTheFormula) {
   EXPECT_NEAR(*view.largest_from_axis, std::atan(std::hypot(99.5, 49.5) / kFocal), kTolerance);
 }
 
-// The column through the axis is none of the image's: the nearest one is, 50 pixels beside it.
+// The column through the axis is none of the image's: the nearest one is, 50 pixels to its side.
 TEST(FieldsOfView, BesideTheAxisAreThoseOfTheImagesOwnPixels) {
   const FieldsOfView view = fields_of_view(pinhole(-50.0, 49.5));
   EXPECT_NEAR(*view.horizontal, std::atan(249.0 / kFocal) - std::atan(50.0 / kFocal), kTolerance);

@@ -45,7 +45,7 @@ GreyImage rendered(const Scene& scene) {
       const bool lit = angle >= scene.lit_from && angle <= scene.lit_to;
       const double texture = 1.0 + 0.4 * std::sin(u / 7.0) * std::cos(v / 11.0);
       double value = 9.0 + (lit ? scene.brightness : 2.0) * texture * light;
-      // The sun beside the lens: a spot and its ghost, both outside of the circle.
+      // The sun next to the lens: a spot and its ghost, both outside of the circle.
       const double beyond = std::max(0.0, std::hypot(du, dv) - scene.circle.radius_px);
       if (scene.glow > 0.0) value += scene.glow * std::exp(-beyond / 60.0);
       if (scene.flare && (std::hypot(u - 15.0, v - 20.0) < 45.0 || std::hypot(u - 610.0, v - 455.0) < 12.0)) value += 200.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where poses that are stated twice contradict each other, and by how much.
+// Where poses that are specified twice contradict each other, and by how much.
 #include <fca/rig/pose_loops.h>
 #include <fca/rig/rotation.h>
 
@@ -19,7 +19,7 @@ Transform pose(double angle, double x, double y = 0.0, double z = 0.0) {
   return {{c, -s, 0, x, s, c, 0, y, 0, 0, 1, z, 0, 0, 0, 1}};
 }
 
-/// Four cameras as a camchain states them: the pose of each in the IMU, and in the camera before it. The latter are off by
+/// Four cameras as a camchain specifies them: the pose of each in the IMU, and in the camera before it. The latter are off by
 /// `angles` and `shifts`.
 Rig quad(const std::array<double, 3>& angles, const std::array<double, 3>& shifts) {
   Rig rig;

@@ -17,7 +17,7 @@ namespace fca::cli {
 
 namespace {
 
-/// A sentence of the table with "..." for what it speaks of. What stands right behind a word is a clause that may be absent.
+/// A sentence of the table with "..." for what it speaks of. What stands right after a word is a clause that may be absent.
 std::string without_values(std::string_view sentence) {
   std::string text;
   bool behind_value = false;

@@ -17,7 +17,7 @@ struct Calibration {
   Message why;                               ///< Why that format.
   bool one_format = true;                    ///< False: joined from files with cameras in more than one.
   std::vector<text::Document> documents;     ///< The main file first, then its further parts.
-  std::size_t with_cameras = 0;              ///< Which of them states the cameras (the first that does, of `format`).
+  std::size_t with_cameras = 0;              ///< Which of them specifies the cameras (the first that does, of `format`).
   std::vector<const Format*> formats;        ///< Of the documents, one for one.
   std::vector<PoseEdge> poses_without_unit;  ///< Those of `rig` whose unit neither their files nor ReadOptions say.
   std::size_t poses_in_told_unit = 0;        ///< Those whose unit ReadOptions say.

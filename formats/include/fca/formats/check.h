@@ -28,9 +28,9 @@ struct Finding {
   Message facts = {};
   SourceRange where = {};
   std::optional<SpanEdit> edit = {};  ///< Where the fix is certain: another spelling of the same value.
-  std::vector<Message> details = {};  ///< Clauses behind the sentence.
+  std::vector<Message> details = {};  ///< Clauses after the sentence.
   Code kind = {};                     ///< Whose id it has, where that is not the sentence's.
-  // In place of what the table says beside the sentence: that of another row, or a sentence that is one.
+  // In place of what the table says besides the sentence: that of another row, or a sentence that is one.
   Message outcome = {};  ///< What happens if the file is used as it is.
   Message remedy = {};   ///< How to fix it.
 };
@@ -74,8 +74,8 @@ struct CheckOptions {
 /// Checks one file by itself. The faults of its parts are told by a check of theirs.
 [[nodiscard]] CheckReport check_file(const text::Source& source, const CheckOptions& options);
 
-/// What is wrong with the meaning of what a document states, of that what `to` holds: sizes, lenses, poses, noise. Programs are
-/// not asked. `calibration` was read from the document, and from others perhaps; `diagnostics`: what its readers found.
+/// What is wrong with the meaning of what a document specifies, of that what `to` holds: sizes, lenses, poses, noise. Programs
+/// are not asked. `calibration` was read from the document, and from others perhaps; `diagnostics`: what its readers found.
 [[nodiscard]] std::vector<Finding> findings_about_meaning(const text::Document& document, const Calibration& calibration,
                                                           const Diagnostics& diagnostics, const CheckOptions& options,
                                                           const Format& to);

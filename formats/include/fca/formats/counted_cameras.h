@@ -8,7 +8,7 @@
 
 namespace fca {
 
-/// A configuration beside camera files (Format::facts_apart) counts their cameras: its "cam0" is that of the first one. The
+/// A configuration next to camera files (Format::facts_apart) counts their cameras: its "cam0" is that of the first one. The
 /// cameras of `written` by those names.
 [[nodiscard]] std::map<std::string, std::string> counted_cameras(const Written& written);
 

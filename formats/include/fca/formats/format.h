@@ -20,11 +20,11 @@ namespace fca {
 
 /// How a reader is to understand what a file leaves open.
 struct ReadOptions {
-  std::optional<ImageSize> image_size;      ///< For files that do not state one.
+  std::optional<ImageSize> image_size;      ///< For files that do not specify one.
   std::optional<OpenCvModel> opencv_model;  ///< Of OpenCV files whose four numbers could be either's.
   bool join = false;  ///< Further documents are further cameras of one rig: a name that is taken becomes the next "camN".
-  std::optional<double> length_unit_m = {};  ///< Of translations in files that do not state it; default: metres.
-  std::optional<double> imu_rate_hz = {};    ///< Of the IMU, where a file does not state it.
+  std::optional<double> length_unit_m = {};  ///< Of translations in files that do not specify it; default: metres.
+  std::optional<double> imu_rate_hz = {};    ///< Of the IMU, where a file does not specify it.
 };
 
 /// Written::sensor of a file for a program of lenses in a format of rigs (DSO's camera.txt): it uses no pose and no IMU.
@@ -56,12 +56,12 @@ struct Loss {
   return {kind, std::move(owner), std::move(key), std::move(values)};
 }
 
-/// A value the inputs do not state and the target demands. fca/formats/wording.h words it.
+/// A value the inputs do not specify and the target demands. fca/formats/wording.h words it.
 struct DefaultedValue {
   std::string key;
   Argument value;           ///< As the file spells it, or a clause.
   bool look_at_it = false;  ///< The user must check it (fps, colour order); the others are tuning with upstream's value.
-  bool invented = false;    ///< A fact of the calibration that no input states: an IMU's noise or pose, the unit of lengths.
+  bool invented = false;    ///< A fact of the calibration that no input specifies: an IMU's noise or pose, the unit of lengths.
   std::string file = {};    ///< Of several files the name of that which holds it, where that is one without cameras.
 };
 
@@ -70,7 +70,7 @@ namespace schema {
 struct Schema;  // formats/schema/schema.h
 }
 
-/// What a format states and a Rig has no member for.
+/// What a format specifies and a Rig has no member for.
 struct OwnFact {
   std::string_view name;                        ///< For people: "IMU intrinsics".
   std::span<const std::string_view> keys = {};  ///< That state it (ExtraField::key); none: all others.
@@ -81,9 +81,9 @@ struct Demand {
   std::string_view name;           ///< For people: "colour order".
   std::string_view key;            ///< Part of the keys that are written for it (DefaultedValue): "Camera.RGB".
   bool Format::*of = nullptr;      ///< It is demanded only of what can hold this: an IMU's topic. Null: of everything.
-  bool Format::*stated = nullptr;  ///< What can hold this states it. Null: only what demands the same does.
+  bool Format::*stated = nullptr;  ///< What can hold this specifies it. Null: only what demands the same does.
   std::string_view of_model = {};  ///< It is demanded of this model only, and computed again.
-  bool of_frame = false;           ///< It is a pose in Format::frame, which a format with that frame states.
+  bool of_frame = false;           ///< It is a pose in Format::frame, which a format with that frame specifies.
 };
 
 /// What a writer is asked for.
@@ -115,10 +115,10 @@ struct Written {
     text::Document document;            ///< Bytes with edits; its source's name is a proposal ("imu.yaml", "cam1.txt").
     std::vector<std::string> cameras;   ///< Names, as in the rig, of the cameras in it.
     std::vector<std::string> programs;  ///< Ids of the consumers meant to read it.
-    /// Another of the files names it: it lies beside that one, under its source's name.
+    /// Another of the files names it: it lies next to that one, under its source's name.
     bool named = false;
     std::string place = {};    ///< Its path in a folder of the program's own ("mav0/cam0/sensor.yaml"); empty: any name does.
-    bool of_defaults = false;  ///< It states nothing of the rig, but what the program stops without.
+    bool of_defaults = false;  ///< It specifies nothing of the rig, but what the program stops without.
     /// As its own format reads it once it is written (write_calibration()); nothing where that does not, or where nobody asks.
     std::optional<Rig> says = {};
   };
@@ -130,9 +130,9 @@ struct Written {
   Message pose_remedy;    ///< What to do about poses that the files do not say; may be none.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
-  /// That the files state, between cameras by the rig's names: they are read back (write_calibration()).
+  /// That the files specify, between cameras by the rig's names: they are read back (write_calibration()).
   std::vector<PoseEdge> poses = {};
-  bool states_rectification = false;  ///< The files state Rig::rectified.
+  bool states_rectification = false;  ///< The files specify Rig::rectified.
   std::vector<PoseEdge> restated;  ///< Poses that the files say otherwise than the rig, on purpose; each is among the losses.
 };
 
@@ -183,7 +183,7 @@ struct Format {
   std::string_view syntaxes;                     ///< For people: "YAML".
   std::string_view extension;                    ///< Of its files, with the point: ".yaml".
   std::string_view program;                      ///< The stock program that reads it: "Kalibr".
-  std::string_view main_file = "camchain.yaml";  ///< The file with the cameras, where its other parts lie beside it.
+  std::string_view main_file = "camchain.yaml";  ///< The file with the cameras, where its other parts lie next to it.
   std::string_view binary_file = {};             ///< The same in a folder of binary files; empty: there are none.
   bool reader_warns = false;                     ///< What its program misreads its reader says itself, at the place.
   std::string_view layout_of = {};      ///< Id of the format whose files its own are, with habits of their own; may be empty.
@@ -193,22 +193,22 @@ struct Format {
   bool undistorts_points = false;       ///< Programs that read it call cv::undistortPoints.
   bool one_model = false;               ///< All its cameras are of one model.
   bool extrinsics = true;
-  bool poses_apart = false;       ///< A file of cameras alone is whole: their poses, if anybody needs them, stand in another.
-  bool facts_apart = false;       ///< Poses and IMU noise, which its program uses, stand in a file of another kind.
-  bool pair_poses = false;        ///< Of the poses between cameras it states that of a stereo pair only, the rig's first two.
-  bool any_length_unit = false;   ///< Its files do not say in what unit translations are; metres elsewhere.
-  bool metres_by_custom = false;  ///< Its files do not state the unit of translations, and are in metres as a rule.
+  bool poses_apart = false;      ///< A file of cameras alone is whole: their poses, if anybody needs them, stand in another.
+  bool facts_apart = false;      ///< Poses and IMU noise, which its program uses, stand in a file of another kind.
+  bool pair_poses = false;       ///< Of the poses between cameras it specifies that of a stereo pair only, the rig's first two.
+  bool any_length_unit = false;  ///< Its files do not say in what unit translations are; metres elsewhere.
+  bool metres_by_custom = false;  ///< Its files do not specify the unit of translations, and are in metres as a rule.
   bool imu = true;
   bool imu_pose = false;          ///< Where `imu` is false: it says where the IMU sits, and nothing of its noise.
   bool noise_of_samples = false;  ///< Its IMU noise is one sample's; its reader makes densities of it.
-  bool needs_imu = false;         ///< Its program does nothing without an IMU: its calibrations state one.
+  bool needs_imu = false;         ///< Its program does nothing without an IMU: its calibrations specify one.
   bool imu_file = false;          ///< An IMU without cameras is a file of its own: Kalibr's imu.yaml.
   bool image_size = true;
   bool time_offset = false;
   bool frame_rate = false;
   bool topic = false;
   bool baseline = false;        ///< Of a rectified pair or depth sensor, without a pose.
-  std::string_view frame = {};  ///< That it states poses in, beside those of cameras and IMUs: "vehicle".
+  std::string_view frame = {};  ///< That it specifies poses in, besides those of cameras and IMUs: "vehicle".
   std::span<const OwnFact> own_facts = {};
   std::span<const std::string_view> modes = {};    ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
@@ -221,7 +221,7 @@ struct Format {
   std::span<const Demand> demands = {};
   /// Keys of own facts (ExtraField::key) that count pixels or rows of the images, and are stale for others.
   std::span<const std::string_view> of_the_images = {};
-  /// Keys of own facts that were computed from the cameras and their poses, and are stale beside others.
+  /// Keys of own facts that were computed from the cameras and their poses, and are stale next to others.
   std::span<const std::string_view> of_the_lenses = {};
   /// Keys of own facts that name cameras by their numbers (1: cam1): who renames those recounts these.
   std::span<const std::string_view> of_cameras = {};
@@ -230,7 +230,7 @@ struct Format {
 
   ProbeResult (*probe)(const text::Document& document);
 
-  /// The range of a value that no calibration states and that may be set, in a file that says `rig`; nothing where none is
+  /// The range of a value that no calibration specifies and that may be set, in a file that says `rig`; nothing where none is
   /// known. Null: of none.
   std::optional<ValueRange> (*range_of)(std::string_view key, const Rig& rig) = nullptr;
 

@@ -19,7 +19,7 @@ struct FormatName {
 [[nodiscard]] FormatName name_of(const Format& format, const text::Document& document);
 /// The same of its bytes.
 [[nodiscard]] FormatName name_of(const Format& format, const text::Source& source);
-/// Those that the format's files may have beside the format's own.
+/// Those that the format's files may have next to the format's own.
 [[nodiscard]] std::vector<FormatName> further_names(const Format& format);
 
 }  // namespace fca

@@ -27,7 +27,7 @@ struct ReadOptions;
 struct CameraProof {
   std::string name;   ///< The rig's.
   std::string model;  ///< What the program takes the lens for, in its own words.
-  int width = 0;      ///< Of the image the program works on, in pixels; 0 where the file does not state it.
+  int width = 0;      ///< Of the image the program works on, in pixels; 0 where the file does not specify it.
   int height = 0;
   bool misread = false;          ///< The program is known to take its numbers from the wrong place of a right file.
   bool agrees = true;            ///< To what the program's precision allows.
@@ -49,10 +49,10 @@ struct ProofResult {
   double wrong_ray_share = 0.0;   ///< Of the image asked about, how much the program gives wrong rays though right pixels.
   double wrong_ray_px = 0.0;      ///< How far such a pixel lies, at most, from the pixel of the ray that it is given.
   Message wrong_ray_why;          ///< A clause; may say nothing.
-  double max_diff_pose = 0.0;     ///< Largest difference of an element of a pose both state.
+  double max_diff_pose = 0.0;     ///< Largest difference of an element of a pose both specify.
   bool pixels_agree = false;      ///< To what its precision allows; also where there was nothing to compare (no image size).
   bool poses_agree = false;
-  /// Numbers beside pixels and poses that the program holds otherwise than the rig: image sizes, time offsets, the IMU's noise
+  /// Numbers besides pixels and poses that the program holds otherwise than the rig: image sizes, time offsets, the IMU's noise
   /// and rate, a depth sensor's baseline. One each: owner, name, the program's number, the rig's ("cam0 time offset is 0.1, not
   /// 0.2").
   std::vector<Message> other_numbers;
@@ -84,7 +84,7 @@ using ForEach = std::function<void(std::size_t count, const std::function<void(s
 void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& body);
 
 /// Would `consumer` load these bytes and understand the rig's cameras (those named in `cameras`, in that order) as we mean
-/// them? Compared are pixels, poses, and what other numbers both state. Rays: a lattice over each camera's image, up to
+/// them? Compared are pixels, poses, and what other numbers both specify. Rays: a lattice over each camera's image, up to
 /// `max_angle_rad` from the axis; what lies beyond is not asked about. `each_camera` may compare several at once. `calibrated`:
 /// the cameras before they were fitted, from which CameraProof::distance is; those that are not among them are the rig's.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Single values of a written file that no calibration states: a program's tuning, a topic, a frame rate.
+// Single values of a written file that no calibration specifies: a program's tuning, a topic, a frame rate.
 #pragma once
 
 #include <fca/formats/format.h>
@@ -22,7 +22,7 @@ struct KeyValue {
 /// Does the document of that format lack the value, and may it be added (Format::optional_value)?
 [[nodiscard]] bool may_add_value(const Format& format, const text::Document& document, const std::string& key);
 
-/// A document without edits, and the rig that it states; nothing where its format does not read it.
+/// A document without edits, and the rig that it specifies; nothing where its format does not read it.
 struct StatedRig {
   text::Document document;
   std::optional<Rig> rig;
@@ -34,8 +34,8 @@ struct StatedRig {
 
 /// The document of that format with the scalar of a key saying something else, in the spelling of what stands there: quotes
 /// stay, a real stays a real ("30" becomes "30.0"), and our comment that the value is a default goes. A value that may be added
-/// is, behind the others of its group. Nothing with an error where there is no such key, where a word would replace a number or
-/// a number of another type an int, and where the rig that the file states would be another: calibrations are not corrected
+/// is, after the others of its group. Nothing with an error where there is no such key, where a word would replace a number or
+/// a number of another type an int, and where the rig that the file specifies would be another: calibrations are not corrected
 /// here.
 [[nodiscard]] std::optional<StatedRig> set_value(const Format& format, const StatedRig& before, const KeyValue& setting,
                                                  const ReadOptions& options, Diagnostics& diagnostics);

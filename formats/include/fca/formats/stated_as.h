@@ -9,7 +9,7 @@
 
 namespace fca {
 
-/// The file's key of the pose that is rig.poses[index]: "IMU.T_b_c1", "cam0 T_cam_imu"; empty where the file states it in no
+/// The file's key of the pose that is rig.poses[index]: "IMU.T_b_c1", "cam0 T_cam_imu"; empty where the file specifies it in no
 /// place of its own.
 [[nodiscard]] std::string key_of_pose(const Calibration& calibration, std::size_t index);
 

@@ -34,9 +34,9 @@ struct VerdictFacts {
   bool is_named = false;  ///< That program was asked for, so that a file which only others read is not to be used.
   std::span<const Loss> losses = {};
   std::span<const DefaultedValue> defaults = {};
-  std::span<const Finding> findings = {};        ///< About the meaning of what the file states (findings_about_meaning).
+  std::span<const Finding> findings = {};        ///< About the meaning of what the file specifies (findings_about_meaning).
   const Rig* rig = nullptr;                      ///< As read, for its contradictions.
-  std::span<const PoseEdge> written_poses = {};  ///< That the written files state, by its cameras' names; empty: none are.
+  std::span<const PoseEdge> written_poses = {};  ///< That the written files specify, by its cameras' names; empty: none are.
   const Contradiction* outvoted = nullptr;       ///< That of the pose that was left out of what is written, if one was.
   /// Of each written file the cameras of the rig that it holds; empty: nothing is written, all count.
   std::span<const std::vector<std::string>> files = {};
@@ -52,7 +52,7 @@ struct VerdictFacts {
 [[nodiscard]] Verdict decide(const VerdictFacts& facts);
 
 /// Does a program of the format, started in that mode, miss what was lost? If not it is a detail: a topic, an identity matrix,
-/// an IMU beside a format of lenses.
+/// an IMU next to a format of lenses.
 [[nodiscard]] bool matters(const Loss& loss, const Format& to, std::string_view mode);
 
 }  // namespace fca

@@ -28,7 +28,7 @@ struct Reason {
   Message remedy = {};                         ///< What to do, where the table does not know it.
   Code kind = {};                              ///< Whose id it has, where that is not the sentence's.
   bool is_accepted = false;                    ///< By the user: it does no more than ask for care.
-  Message addition = {};                       ///< A clause behind the facts; may be none.
+  Message addition = {};                       ///< A clause after the facts; may be none.
 };
 
 /// Limits that the user set are not overruled by the user.

@@ -26,7 +26,7 @@ struct CompareOptions {
 
 /// How `other` differs from `reference`: a pixel of the reference, its ray by the reference, and the other's pixel of that ray,
 /// over the field of view that a conversion of the reference would have: so compare(A, convert(A)) is the conversion's report.
-/// Images of another size with the same proportions are scaled (image_change.h); a size that only one states holds for both,
+/// Images of another size with the same proportions are scaled (image_change.h); a size that only one specifies holds for both,
 /// and where none does, that of the image whose middle is the reference's principal point (CameraComparison::size_assumed).
 /// Errors: sizes of other proportions, parameters that are no camera, no pixel in common.
 [[nodiscard]] std::optional<CameraComparison> compare(const Camera& reference, const Camera& other,

@@ -82,9 +82,9 @@ struct CameraComparison {
   std::string other;
   std::string reference_model;
   std::string other_model;
-  ImageSize size;                       ///< The reference's image, in whose pixels everything is said.
-  bool size_assumed = false;            ///< Neither states a size: the image whose middle is the reference's principal point.
-  std::optional<ImageSize> other_size;  ///< The other's image, where it was scaled to that.
+  ImageSize size;             ///< The reference's image, in whose pixels everything is said.
+  bool size_assumed = false;  ///< Neither specifies a size: the image whose middle is the reference's principal point.
+  std::optional<ImageSize> other_size;          ///< The other's image, where it was scaled to that.
   std::vector<ParameterComparison> parameters;  ///< Of both, the reference's first.
   bool identical = false;                       ///< Same model, parameters and image size, to the last bit.
   double scored_to_deg = 0.0;                   ///< Nothing further from the axis was scored.
@@ -120,7 +120,7 @@ struct PoseComparison {
   /// With the turns of its cameras that poses cancel (CameraComparison::turn_cancels) taken out; nothing where there is none.
   std::optional<PoseDistance> remaining = {};
 
-  /// Up to 1e-9 rad and m: what remains where one rig states a pose and the other implies it.
+  /// Up to 1e-9 rad and m: what remains where one rig specifies a pose and the other implies it.
   [[nodiscard]] bool same_but_for_rounding() const;
   /// What a verdict is about.
   [[nodiscard]] PoseDistance decisive() const { return remaining.value_or(PoseDistance{angle_rad, distance_m}); }
@@ -130,7 +130,7 @@ struct PoseComparison {
   [[nodiscard]] bool alike() const { return apart() <= 1.0; }
 };
 
-/// A number that both state.
+/// A number that both specify.
 struct FactComparison {
   std::string owner;  ///< The reference's name: "cam0", "imu0".
   std::string name;   ///< "time offset", "gyroscope noise"

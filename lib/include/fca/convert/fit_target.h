@@ -46,7 +46,7 @@ concept HasShapedTerms = requires(const double* in, const std::array<double, 2>&
 inline constexpr std::size_t kMostParameters = 19;
 inline constexpr std::size_t kMostTerms = 6;
 
-/// A model's parameters; 0 behind its own.
+/// A model's parameters; 0 after its own.
 using ParameterValues = std::array<double, kMostParameters>;
 
 /// Numbers that are 0 outside [begin, end).
@@ -57,7 +57,7 @@ struct Column {
 };
 
 /// Residuals in pixels and their derivatives by each parameter, all times the root of the sample's weight. A column holds the
-/// numbers of u for all samples, then those of v; the residuals are the last column, behind one per parameter.
+/// numbers of u for all samples, then those of v; the residuals are the last column, after one per parameter.
 struct JacobianColumns {
   std::span<const double> roots;  ///< Of the samples' weights.
   double* numbers = nullptr;

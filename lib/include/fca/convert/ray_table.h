@@ -23,7 +23,8 @@ namespace fca {
 
 /// `camera`, whose lens is `projection` and no model of the list, as a table of up to 2,800 rays: about as many from its axis
 /// in each direction, up to `max_angle_rad` or where the radius stops growing, of those whose pixel lies in the image; weights
-/// are their shares of it. Nothing where the camera states no size, its axis has no pixel, or it sees fewer than kFewestRays.
+/// are their shares of it. Nothing where the camera specifies no size, its axis has no pixel, or it sees fewer than
+/// kFewestRays.
 [[nodiscard]] std::optional<Camera> measured(Camera camera, const Projection& projection, double max_angle_rad);
 
 /// Of a camera that is known by rays alone.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // By how much two independent calibrations of one camera differ: what a conversion's error is to be compared with where nothing
-// states the calibration's own uncertainty.
+// specifies the calibration's own uncertainty.
 #pragma once
 
 #include <string_view>

@@ -67,7 +67,7 @@ struct ErrorStatistics {
 struct PixelUncertainty {
   bool is_limit = false;      ///< Correlations are not known: no pixel is more uncertain than that, and each may be less.
   bool of_residuals = false;  ///< Computed from the fit's own residuals, of a table of rays.
-  std::string source;         ///< The file that states the parameters' standard deviations; empty: `of_residuals`.
+  std::string source;         ///< The file that specifies the parameters' standard deviations; empty: `of_residuals`.
   double rms_px = 0.0;
   double max_px = 0.0;
   Pixel max_at{};            ///< The source's pixel where it is.
@@ -100,7 +100,7 @@ struct WeightedRms {
 struct RmsFit {
   double rms_px = 0.0;
   double max_px = 0.0;
-  bool kept = false;  ///< No camera with a smaller largest error was found beside it.
+  bool kept = false;  ///< No camera with a smaller largest error was found near it.
 };
 
 /// A turn of the camera that was fitted together with its model: the frame of the written camera is another one.
@@ -151,10 +151,10 @@ struct ConversionReport {
   std::optional<RmsFit> rms_fit;             ///< Of a fit for the largest error.
   std::vector<std::string> at_bound;         ///< Parameters that ended at the edge of their range.
   std::vector<UnusualParameter> unusual;
-  std::optional<AbsorbedTurn> turn;                  ///< Only if asked for, and where it helps.
+  std::optional<AbsorbedTurn> turn;                  ///< Only if requested, and where it helps.
   std::optional<TurnOffer> turn_offer;               ///< Where nobody asked, and it would take a fifth off a visible error.
   std::optional<PixelUncertainty> uncertainty = {};  ///< Where it is known (uncertainty.h).
-  /// Only if asked for, and where the lens's angle matters and no file contains it (max_angle_table.h).
+  /// Only if requested, and where the lens's angle matters and no file contains it (max_angle_table.h).
   std::vector<MaxAngleRow> max_angles;
 
   /// The root mean square that the fit made small.

@@ -33,8 +33,8 @@ namespace fca {
                                                                   std::span<const Correspondence> table,
                                                                   std::span<const std::string> held);
 
-/// What a conversion's report says beside its error. `stated`: null where nothing states the source's uncertainty; that of a
-/// table of rays is computed. `max_angle_rad` as in ConvertOptions.
+/// What a conversion's report says besides its error. `stated`: null where nothing specifies the source's uncertainty; that of
+/// a table of rays is computed. `max_angle_rad` as in ConvertOptions.
 [[nodiscard]] std::optional<PixelUncertainty> pixel_uncertainty(const Camera& source, const Camera& target,
                                                                 const ConversionReport& report, const Uncertainty* stated,
                                                                 std::optional<double> max_angle_rad);

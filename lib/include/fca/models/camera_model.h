@@ -149,7 +149,7 @@ bool set_parameter(CameraModel& model, ParameterId id, double value);
 [[nodiscard]] std::optional<Pixel> project(const CameraModel& model, const Ray& ray);
 /// Pixel -> unit ray; nothing where no ray of the domain has that pixel.
 [[nodiscard]] std::optional<Ray> unproject(const CameraModel& model, const Pixel& pixel);
-/// The same of many, but for rounding: three numbers a ray, two a pixel, one behind the other. Not a number where there is
+/// The same of many, but for rounding: three numbers a ray, two a pixel, one after the other. Not a number where there is
 /// nothing. Both spans are of as many rays as pixels.
 void project_all(const CameraModel& model, std::span<const double> rays, std::span<double> pixels);
 void unproject_all(const CameraModel& model, std::span<const double> pixels, std::span<double> rays);

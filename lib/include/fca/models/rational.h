@@ -70,7 +70,7 @@ struct RationalFactor {
   static std::array<double, 4> numerator_of(const double* q) { return {1.0, q[0], q[1], q[4]}; }
   static std::array<double, 4> denominator_of(const double* q) { return {1.0, q[5], q[6], q[7]}; }
 
-  /// How often N D counts in a condition beside 2 t (N' D - N D'): S, and S + 3 N D.
+  /// How often N D counts in a condition next to 2 t (N' D - N D'): S, and S + 3 N D.
   static constexpr double kRadial = 1.0;
   static constexpr double kOtherAzimuths = 4.0;
 
@@ -181,7 +181,7 @@ struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
   static double max_angle(const double* p) { return std::atan(Distortion::max_radius(p + 4)); }
 
   /// Multiplied by D, (pixel - c) D = f ((x, y) N + tangential terms D), all is linear in f, f k1 ..., c and the coefficients
-  /// of D, if the D beside c and the tangential terms is that of the solution before; weighted by 1 / D^2 of that solution, it
+  /// of D, if the D next to c and the tangential terms is that of the solution before; weighted by 1 / D^2 of that solution, it
   /// is the residual in pixels (Sanathanan & Koerner 1963). Poles among the samples can trap the fit: the other start has none,
   /// it is radtan's.
   static constexpr int kStarts = 2;

@@ -58,7 +58,7 @@ struct FisheyePrismFactor {
   static std::array<double, 2> derivatives(const double* q, double /*r2*/) { return {q[6], q[7]}; }
 
  private:
-  /// How often d(r L)/dr counts beside L, and P: A - 6 P r, A + 3 L - 16 P r, L - 2 P r. The prism takes 2 |(sx1, sy1)| r from
+  /// How often d(r L)/dr counts next to L, and P: A - 6 P r, A + 3 L - 16 P r, L - 2 P r. The prism takes 2 |(sx1, sy1)| r from
   /// each of A and L.
   static std::array<double, 9> condition(const double* q, double of_derivative, double tangential, double count) {
     const double k[5] = {1.0, q[0], q[1], q[4], q[5]};

@@ -52,7 +52,7 @@ struct RectifyOptions {
 /// The rectified camera of a view, 0 or 1: a pinhole of that size.
 [[nodiscard]] Camera rectified_camera(const RectifiedPair& pair, std::size_t view, const ImageSize& size);
 
-/// T_second_first, as the rectification states it.
+/// T_second_first, as the rectification specifies it.
 [[nodiscard]] Transform pose_of(const RectifiedPair& pair);
 
 /// Is Rig::rectified of two cameras of the rig, and says of their pose what its poses say, to 1e-5 (an element of the rotation,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses that are stated and follow from others, too: by which paths, and how far the two are apart.
+// Poses that are specified and follow from others, too: by which paths, and how far the two are apart.
 #pragma once
 
 #include <fca/rig/rig.h>

@@ -66,7 +66,7 @@ struct Imu {
   bool operator==(const Imu&) const = default;
 };
 
-/// Something a file states that Rig has no member for (rolling shutter, a program's tuning).
+/// Something a file specifies that Rig has no member for (rolling shutter, a program's tuning).
 struct ExtraField {
   std::string owner;  ///< The camera, IMU or mapping of the file that it is said of; empty: the file as a whole.
   std::string key;    ///< As the file spells it: "line_delay", "Viewer.PointSize".
@@ -76,7 +76,7 @@ struct ExtraField {
   bool operator==(const ExtraField&) const = default;
 };
 
-/// What people are told: the key behind its owner's name, "cam0 line_delay".
+/// What people are told: the key after its owner's name, "cam0 line_delay".
 [[nodiscard]] std::string with_owner(const ExtraField& field);
 
 /// What a frame that poses speak of belongs to.
@@ -126,15 +126,15 @@ struct Rig {
   std::vector<Frame> frames;
   /// A format that has no place for these lists them as lost.
   std::vector<ExtraField> extra_fields;
-  /// Baseline of a rectified stereo pair or of an RGB-D sensor's virtual second camera, where the file states only that [m].
+  /// Baseline of a rectified stereo pair or of an RGB-D sensor's virtual second camera, where the file specifies only that [m].
   std::optional<double> baseline_m;
-  /// Where the files state it.
+  /// Where the files specify it.
   std::optional<RectifiedPair> rectified = {};
-  /// Of cameras by their names; no target format holds any. Of several of one camera the first that states it counts.
+  /// Of cameras by their names; no target format holds any. Of several of one camera the first that specifies it counts.
   std::vector<Uncertainty> uncertainties = {};
   std::vector<PoseUncertainty> pose_uncertainties = {};
 
-  /// `name`, or with "_2", "_3", ... behind it where a camera is called so.
+  /// `name`, or with "_2", "_3", ... after it where a camera is called so.
   [[nodiscard]] std::string unused_name(const std::string& name) const;
   [[nodiscard]] const Camera* find_camera(std::string_view name) const;
   /// The first statement of a camera's standard deviations, one with a covariance before others; null if there is none.
@@ -144,7 +144,7 @@ struct Rig {
 
   /// What a frame of `poses` is, by what the rig holds and never by how it is called.
   [[nodiscard]] FrameKind kind_of(std::string_view frame) const;
-  /// A frame that poses are stated in, once.
+  /// A frame that poses are specified in, once.
   void add_frame(std::string_view name, FrameKind kind);
 
   /// The edge a-b exactly as a file stated it, in that direction; null if there is none.

@@ -14,7 +14,7 @@ namespace fca {
 [[nodiscard]] std::optional<double> second_left_of_first(const Rig& rig);
 
 /// How far, in metres, the rig's second camera stands below the first (negative: above), where it stands more below or above
-/// than beside. Nothing where it does not, or the pose is not known.
+/// than to the side. Nothing where it does not, or the pose is not known.
 [[nodiscard]] std::optional<double> second_below_first(const Rig& rig);
 /// The same of two cameras, by their names.
 [[nodiscard]] std::optional<double> second_below_first(const Rig& rig, const std::string& first, const std::string& second);

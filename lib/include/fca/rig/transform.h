@@ -31,7 +31,7 @@ struct Transform {
 /// Determinant of the 3 x 3 part: 1 for a rotation, -1 for a mirror image.
 [[nodiscard]] double rotation_determinant(const Transform& T_a_b);
 
-/// The pose of one thing relative to another, as a file states it.
+/// The pose of one thing relative to another, as a file specifies it.
 struct PoseEdge {
   std::string a;  ///< Name of a camera or IMU of the rig, or of a further frame ("body", "vehicle").
   std::string b;

@@ -67,7 +67,7 @@ struct Complaint {
 
   bool operator==(const Complaint&) const = default;
 
-  /// The path of what it is about, '/' between its keys: "cam0/intrinsics"; empty: none, or no keys (lines). With a '/' behind
+  /// The path of what it is about, '/' between its keys: "cam0/intrinsics"; empty: none, or no keys (lines). With a '/' after
   /// it, it is about the key, whatever its value.
   std::string key;
   Message facts = {};
@@ -99,7 +99,7 @@ struct LoadOptions {
   std::optional<OpenCvModel> opencv_model = {};
   /// Of the file, where that decides what its numbers are (cuVSLAM); empty: the name that fits them.
   std::string file_name = {};
-  /// Width and height of the image files, in pixels, which some programs take where a file states none; zeros: unknown.
+  /// Width and height of the image files, in pixels, which some programs take where a file specifies none; zeros: unknown.
   std::array<double, 2> image_size = {};
   bool operator==(const LoadOptions&) const = default;
 };
@@ -111,7 +111,7 @@ struct UnreadParameter {
   double taken_for = 0.0;
 };
 
-/// How a file is written so that a program reads the result, beside the format.
+/// How a file is written so that a program reads the result, besides the format.
 struct Writing {
   std::string_view model = {};      ///< Empty: the best that the program reads.
   std::string_view layout = {};     ///< One of Format::layouts; empty: the usual one.

@@ -44,7 +44,7 @@ class Document {
   /// Removes an entry of a mapping: in block style the lines it stands on, in flow style it and one of its commas, in XML the
   /// element (with its lines, where nothing else stands there).
   void remove_entry(const Node& mapping, const Entry& entry);
-  /// Adds `lines` (without a last line break; spelled in the document's syntax) behind `entry` of a mapping. In block style,
+  /// Adds `lines` (without a last line break; spelled in the document's syntax) after `entry` of a mapping. In block style,
   /// and in JSON and XML where `entry` begins its line, as lines of their own with the same indentation; else on the same line.
   /// Commas are the document's affair.
   void insert_after(const Node& mapping, const Entry& entry, const std::string& lines);
@@ -80,7 +80,7 @@ class Document {
   void remove_element(const Entry& entry);
   void insert_in_flow(const Node& mapping, const Entry& entry, const std::string& lines);
   void insert_element_after(const Entry& entry, const std::string& lines);
-  /// `lines` with the document's line breaks, each behind a break followed by `indentation`.
+  /// `lines` with the document's line breaks, each after a break followed by `indentation`.
   [[nodiscard]] std::string laid_out(std::string_view lines, std::string_view indentation) const;
 
   Source source_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How large a document may be, beside kMaxFileBytes (source.h) and kMaxDepth (node.h).
+// How large a document may be, besides kMaxFileBytes (source.h) and kMaxDepth (node.h).
 #pragma once
 
 #include <cstddef>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages in words. A sentence of the table (fca/code.h) names its arguments as {0}, {1} ...; behind a colon stands how:
+// Messages in words. A sentence of the table (fca/code.h) names its arguments as {0}, {1} ...; after a colon stands how:
 //   text     {0} as it is      {0:short} a beginning of a long one
-//            {0:_} and a blank behind it; nothing of an empty one    {0:shell} as a shell takes it
+//            {0:_} and a blank after it; nothing of an empty one    {0:shell} as a shell takes it
 //   number   {0} 6 digits      {0:.3} 3 significant digits     {0:.1f} 1 decimal      {0:real} all digits, always with a point
 //            {0:all} all digits ("1.5", "-1", "1e+308")
 //            {0:px} an error in pixels ("0", "0.113", "4e-14")  {0:%} a share ("12.5 %")
 //            {0:rms}{1:worst} "0.113 px rms off, worst 0.4"; "exact" of less than 1e-9 px
 //   count    {0} in digits     {0:s} nothing of 1, else the "s" of a plural
 //   names    {0} "a, b and c"  {0:or} "a, b or c"  {0:,} "a, b, c"  {0:s} as of their number
-//   clauses  {0} one behind the other; nothing of none         {0:and} "a, b and c", with any last word
+//   clauses  {0} one after the other; nothing of none         {0:and} "a, b and c", with any last word
 //            {0:short} a beginning of long ones
 // A brace that is one is written twice.
 #pragma once

@@ -15,7 +15,7 @@ namespace fca::text {
 [[nodiscard]] std::string shortened(std::string_view text);
 
 /// Those of `names` that `typed` probably meant, at most three: it begins them, or at most a third of its letters are wrong;
-/// one letter behind the first of a word of three and fewer.
+/// one letter after the first of a word of three and fewer.
 [[nodiscard]] std::vector<std::string> nearest(std::string_view typed, std::span<const std::string> names);
 
 /// Is `typed` the word `meant` but for a common mistake: a letter lost, too many, wrong, or exchanged with its neighbour, or

@@ -10,9 +10,9 @@
 
 namespace fca::text {
 
-/// Adds comment lines at the top of a document, behind its directives, its declaration and what comments stand there already.
+/// Adds comment lines at the top of a document, after its directives, its declaration and what comments stand there already.
 /// Lines of words that begin with two comments ("#...", COLMAP) take them as lines; those that begin with one (OCamCalib:
-/// exactly one) take them at the end of that, behind ';'. False, and nothing is done, where the syntax has no comments (JSON,
+/// exactly one) take them at the end of that, after ';'. False, and nothing is done, where the syntax has no comments (JSON,
 /// other lines of words) or that one line would be too long for its reader.
 bool add_top_comment(Document& document, std::span<const std::string> lines);
 
