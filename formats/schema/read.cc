@@ -31,7 +31,7 @@ struct CameraList {
   const Node* node;
 };
 
-/// True if the list has `count` items, or may have fewer; otherwise false, with an error.
+/// True if the list has `count` items, or may have another number of items (kSomeEach). Otherwise false, with an error.
 bool has_items(Reading& reading, const CameraList& list, std::size_t count) {
   if (list.node->is_sequence() && (list.key->spread == Spread::kSomeEach || list.node->items.size() == count)) return true;
   if (list.key->spread == Spread::kSomeEach) return true;
@@ -43,8 +43,8 @@ bool has_items(Reading& reading, const CameraList& list, std::size_t count) {
   return false;
 }
 
-/// Collects the lists of the mapping that can be read. `count` becomes the number of cameras. False, with errors, if a list
-/// cannot be read.
+/// Collects in `lists` the lists of the mapping with items of cameras, and sets `count` to the number of cameras. False, with
+/// errors, if the list that determines this number (kCounted) is missing or another list cannot be read.
 bool find_lists(Reading& reading, const Mapping& mapping, const Node& node, std::vector<CameraList>& lists,
                 std::size_t& count) {
   bool good = true;
@@ -69,7 +69,8 @@ bool find_lists(Reading& reading, const Mapping& mapping, const Node& node, std:
   return good;
 }
 
-/// Adds the cameras to the rig and reads each one's items of all lists.
+/// Adds to the rig the cameras for which the mapping has lists, and reads the items of each camera. False, with errors, if one
+/// cannot be read.
 bool read_cameras(Reading& reading, const Mapping& mapping, const Node& node) {
   std::vector<CameraList> lists;
   std::size_t count = 0;
