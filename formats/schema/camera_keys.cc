@@ -43,8 +43,8 @@ void read_further(Reading& reading, const Key& key, const Node& node) {
   }
 }
 
-/// True if every YAML parser reads the topic as a string even without quotes. False also for some topics of which this is not
-/// known.
+/// True for topics that every YAML parser reads as a string even without quotes: a slash, then letters, digits, slashes and
+/// underscores.
 bool needs_no_quotes(std::string_view topic) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/_";
   return topic.starts_with('/') && topic.find_first_not_of(kPlain) == std::string_view::npos;

@@ -31,8 +31,8 @@ class Editor {
   }
 
  private:
-  /// Adds the fields of a row before the edit to `from`, and those after it to `to`. If the new rig does not have the fact, both
-  /// are the old fields, so that the file does not change.
+  /// Adds the fields of a row before the edit to `from`, and those after it to `to`. If the new rig does not have the fact,
+  /// both are the old fields, so that the file does not change.
   static void add_fields(const Key& key, const Subject& before, const Subject& after, std::vector<Field>& from,
                          std::vector<Field>& to) {
     if (key.write == nullptr) return;

@@ -12,7 +12,8 @@ using text::Node;
 
 namespace {
 
-/// The IMU whose keys are being read. If reading.imu is null, the file has one IMU: adds it to the rig unless it is there.
+/// The IMU whose keys are being read. If reading.imu is null, it is the only IMU of the file, which is added to the rig
+/// for its first key.
 Imu& imu_of(Reading& reading) {
   if (reading.imu != nullptr) return *reading.imu;
   if (reading.rig.imus.empty()) reading.rig.imus.emplace_back().name = kImu;

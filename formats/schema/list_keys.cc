@@ -92,7 +92,8 @@ bool read_list_lens(Reading& reading, const Key& key, const Node& node) {
     return false;
   }
   const std::size_t count = coefficients != nullptr ? coefficients->items.size() : 0;
-  const auto lens = std::ranges::find_if(lenses, [&](const ListLens& each) { return has_both_names(each) && length_of(each) == count; });
+  const auto lens =
+      std::ranges::find_if(lenses, [&](const ListLens& each) { return has_both_names(each) && length_of(each) == count; });
   if (lens == lenses.end() && coefficients != nullptr && !std::ranges::find_if(lenses, has_both_names)->any_length) {
     std::set<std::size_t> lengths;
     for (const ListLens& each : lenses) {

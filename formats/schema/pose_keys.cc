@@ -139,7 +139,8 @@ std::optional<Transform> PoseFrame::pose(const Camera& camera) const {
   return stated != nullptr ? *stated : rig_.resolve(name_, camera.name);
 }
 
-void PoseFrame::report_assumed_pose(std::string_view key, const PoseLayout& layout, const Camera& camera, Written& written) const {
+void PoseFrame::report_assumed_pose(std::string_view key, const PoseLayout& layout, const Camera& camera,
+                                    Written& written) const {
   const bool has_pose = pose(camera).has_value();
   if (known_ && has_pose) return;
   const bool in_other_camera = has_pose && name_ != camera.name;

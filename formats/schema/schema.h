@@ -89,11 +89,11 @@ struct PoseLayout {
   /// A quaternion with a length in this range is accepted and scaled to 1; others are an error.
   double shortest = 0.0;
   double longest = std::numeric_limits<double>::infinity();
-  Code no_pose = {};    ///< The value is neither an object nor a list. {0} the pose
+  Code no_pose = {};       ///< The value is neither an object nor a list. {0} the pose
   Code wrong_length = {};  ///< The length of the quaternion is not 1. {0} the pose, {1} the length
   Code zero_length = {};   ///< The length of the quaternion is 0. Arguments as for `wrong_length`.
-  /// The rig's matrix is not exactly a rotation, and the nearest rotation is written. {2} the frame, {3} the largest difference.
-  /// Without this code, quaternions are computed from the matrix as it is.
+  /// The rig's matrix is not exactly a rotation, and the nearest rotation is written. {2} the frame, {3} the largest
+  /// difference. Without this code, quaternions are computed from the matrix as it is.
   Code restated = {};
   Code in_frame = {};  ///< A default value: the pose in the frame of another camera, {0}, instead of `frame`.
   Code identity = {};  ///< A default value: the identity, because no pose is known.
@@ -221,7 +221,8 @@ struct Reading {
   const text::Node* mapping = nullptr;  ///< The mapping that contains the key being read.
   Camera* camera = nullptr;             ///< The camera being read; null where keys belong to no single camera.
   Imu* imu = nullptr;                   ///< The IMU being read; null in files with at most one IMU.
-  std::string_view lens = {};  ///< The name of the camera's lens in the file; empty before the name is read, and if it is unknown.
+  std::string_view lens =
+      {};  ///< The name of the camera's lens in the file; empty before the name is read, and if it is unknown.
   const ListLens* list_lens = nullptr;  ///< The lens, in formats with two names for it; null before the names are read.
 
   /// The value under a key as messages name it: "cam0 resolution" for a camera, otherwise the key.
