@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions that read and write a camera's keys: lens, parameters, image size, topic and time offset.
+// Functions that read and write a camera's keys: lens, parameters, image size, topic and time offset. keys.h has the rows that
+// use them.
 #include "keys.h"
 
 #include <fca/formats/text/numbers.h>
@@ -70,6 +71,7 @@ std::optional<double> common_offset(const Rig& rig) {
 
 }  // namespace
 
+/// Gives the camera the model of the lens with this name. Its parameters are read later, by another row.
 bool read_lens_name(Reading& reading, const Key& key, const Node& node) {
   const auto lens = std::ranges::find(key.with.lenses, node.value, &Lens::name);
   if (lens == key.with.lenses.end()) {
@@ -85,6 +87,7 @@ std::vector<Statement> write_lens_name(const Subject& subject, const Key& key) {
   return states(fields::quoted(key.text(), lens_name_of(subject.the_camera(), key)), {FactKind::kModel});
 }
 
+/// Reads one number for each parameter of the camera's model, which read_lens_name() must have set.
 bool read_parameters(Reading& reading, const Key& key, const Node& node) {
   if (reading.lens.empty()) return false;
   const std::string owner = reading.label(key);
@@ -102,6 +105,7 @@ bool read_parameters(Reading& reading, const Key& key, const Node& node) {
   return good;
 }
 
+/// Writes the parameters of the camera's model and, if its lens has one, the additional key (Lens::further).
 std::vector<Statement> write_parameters(const Subject& subject, const Key& key) {
   const CameraModel& model = subject.the_camera().model;
   std::vector<Statement> statements;
@@ -120,22 +124,26 @@ bool read_parameter(Reading& reading, const Key& key, const Node& node) {
   return reading.reader.parameter(node, reading.owner, key.with.parameter.value(), reading.camera->model);
 }
 
+/// Writes nothing if the camera's model does not have the parameter.
 std::vector<Statement> write_parameter(const Subject& subject, const Key& key) {
   const std::optional<double> value = fca::parameter(subject.the_camera().model, key.with.parameter.value());
   if (!value) return {};
   return states(fields::real(key.text(), *value), {.kind = FactKind::kParameter, .parameter = key.with.parameter->name()});
 }
 
+/// The camera keeps its default name if the value is empty or is no single value.
 bool read_camera_name(Reading& reading, const Key& key, const Node& node) {
   if (std::string name = reading.reader.name(node, key.name); !name.empty()) reading.camera->name = std::move(name);
   return true;
 }
 
+/// Writes nothing in an edit, so that the file keeps its name for the camera.
 std::vector<Statement> write_camera_name(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
   return states(fields::quoted(key.text(), subject.the_camera().name));
 }
 
+/// Reads the width and the height of the image; the node is that of the height.
 bool read_image_sides(Reading& reading, const Key& key, const Node& node) {
   const Node* width = reading.reader.find(*reading.mapping, key.with.other);
   if (width != nullptr) reading.camera->image_size = reading.reader.image_size(*width, node, reading.owner + " ");
@@ -190,6 +198,7 @@ std::vector<Statement> write_topic(const Subject& subject, const Key& key) {
   return states(quoted ? fields::quoted(key.text(), topic) : fields::scalar(key.text(), topic), {FactKind::kTopic});
 }
 
+/// Gives all cameras the file's time offset, which must be a whole number of the file's unit.
 bool read_common_offset(Reading& reading, const Key& key, const Node& node) {
   const std::optional<double> offset = reading.reader.real(node, key.name);
   if (!offset) return false;
@@ -206,11 +215,13 @@ bool read_common_offset(Reading& reading, const Key& key, const Node& node) {
   return true;
 }
 
+/// Writes the time offset of the first camera that has one, rounded to the file's unit; 0 if no camera has one.
 std::vector<Statement> write_common_offset(const Subject& subject, const Key& key) {
   const long long offset = std::llround(common_offset(subject.rig).value_or(0.0) * key.with.per_second);
   return states(fields::scalar(key.text(), std::to_string(offset)), {FactKind::kTimeOffset});
 }
 
+/// Gives all cameras the negative delay as their time offset.
 bool read_common_delay(Reading& reading, const Key& key, const Node& node) {
   const std::optional<double> delay = reading.reader.time_offset(node, reading.label(key));
   if (!delay) return false;

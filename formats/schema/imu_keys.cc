@@ -75,6 +75,7 @@ bool read_density(Reading& reading, const Key& key, const Node& node) {
   return true;
 }
 
+/// Writes the IMU's number once for each axis.
 std::vector<Statement> write_density(const Subject& subject, const Key& key) {
   const std::optional<double> value = value_of(subject, key);
   if (!value) return {};

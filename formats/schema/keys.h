@@ -183,8 +183,8 @@ constexpr Key frame_rate(std::string_view name) { return {name, FactKind::kFrame
 /// The number of rows or columns of a 4 x 4 matrix.
 constexpr Key side_of_four(std::string_view name) { return {name, FactKind::kOther, read_side_of_four, write_side_of_four}; }
 
-/// The pose T_frame_camera as 16 numbers, row-major. `owner`: the key that messages about a pose that no input contains name:
-/// that of the object with the matrix.
+/// The pose T_frame_camera as 16 numbers, row-major. `owner`: the key of the object that contains the matrix. Messages about an
+/// assumed pose name it.
 constexpr Key matrix(std::string_view name, std::string_view owner, const PoseLayout& layout) {
   return {name, FactKind::kPose, read_matrix, write_matrix, {.pose = &layout, .other = owner}};
 }

@@ -113,12 +113,14 @@ bool read_list_lens(Reading& reading, const Key& key, const Node& node) {
   return !reading.reader.diagnostics().has_errors();
 }
 
+/// Writes the second name of the lens (distortion_model).
 std::vector<Statement> write_list_lens(const Subject& subject, const Key& key) {
   const ListLens* lens = lens_of(subject.the_camera().model, key);
   if (lens == nullptr) return {};
   return states(fields::scalar(key.text(), std::string(lens->distortion_model)), {FactKind::kModel});
 }
 
+/// Writes the first name of the lens.
 std::vector<Statement> write_camera_model(const Subject& subject, const Key& key) {
   const ListLens* lens = lens_of(subject.the_camera().model, key);
   if (lens == nullptr) return {};
@@ -133,6 +135,8 @@ std::vector<Statement> write_focal_and_centre(const Subject& subject, const Key&
   return write_list(subject, key, kFocalAndCentre, 0);
 }
 
+/// Reads the coefficients of the lens, which read_list_lens() must have found. The list of a lens without coefficients is not
+/// read.
 bool read_coefficients(Reading& reading, const Key& key, const Node& node) {
   if (reading.list_lens == nullptr) return false;
   const bool unread = reading.list_lens->coefficients.empty();
@@ -163,6 +167,7 @@ bool read_side_of_four(Reading& reading, const Key& key, const Node& node) {
   return side == 4;
 }
 
+/// Writes nothing in an edit.
 std::vector<Statement> write_side_of_four(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
   return states(fields::integer(key.text(), 4));
@@ -175,6 +180,7 @@ bool is_identity(const Transform& T) {
   return std::ranges::equal(T.values, identity.values, [](double a, double b) { return std::abs(a - b) <= kTolerance; });
 }
 
+/// Reads the pose of a camera. The pose of the camera that is itself the frame must be the identity.
 bool read_matrix(Reading& reading, const Key& key, const Node& node) {
   const PoseLayout& layout = *key.with.pose;
   const std::optional<Transform> T = reading.reader.transform(node, reading.label(key));
@@ -188,6 +194,7 @@ bool read_matrix(Reading& reading, const Key& key, const Node& node) {
   return true;
 }
 
+/// Writes the pose of a camera. If it is not known, a fresh file gets an assumed pose (PoseFrame), and an edit changes nothing.
 std::vector<Statement> write_matrix(const Subject& subject, const Key& key) {
   const Camera& camera = subject.the_camera();
   const PoseFrame frame(subject.rig, *key.with.pose);
@@ -204,6 +211,7 @@ bool read_identity(Reading& reading, const Key& key, const Node& node) {
   return T && is_identity(*T);
 }
 
+/// Writes nothing in an edit.
 std::vector<Statement> write_identity(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
   return pose_statement(key, Transform{}, nullptr);
@@ -218,6 +226,7 @@ bool read_imu_matrix(Reading& reading, const Key& key, const Node& node) {
   return true;
 }
 
+/// Writes the pose of an IMU, as the rig contains it or as a product of its poses; nothing if it is not known.
 std::vector<Statement> write_imu_matrix(const Subject& subject, const Key& key) {
   if (subject.imu >= subject.rig.imus.size()) return {};
   const std::string& imu = subject.rig.imus[subject.imu].name;
@@ -229,6 +238,7 @@ std::vector<Statement> write_imu_matrix(const Subject& subject, const Key& key) 
 
 bool read_fixed(Reading& /*reading*/, const Key& /*key*/, const Node& /*node*/) { return true; }
 
+/// Writes nothing in an edit.
 std::vector<Statement> write_fixed(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
   return states(fields::scalar(key.text(), std::string(key.with.token)));

@@ -176,6 +176,8 @@ bool add_pose(Reading& reading, const PoseLayout& layout, const Transform& T, co
   return true;
 }
 
+/// Writes the pose of a camera in the frame of PoseFrame; the identity if the pose is not known. For a fresh file, reports
+/// assumed and rounded poses.
 std::vector<Statement> write_pose(const Subject& subject, const Key& key) {
   const Camera& camera = subject.the_camera();
   const PoseFrame frame(subject.rig, *key.with.pose);
@@ -204,9 +206,11 @@ void edit_pose(text::Document& document, const Node& node, const Key& key, const
   const auto apply = [&](const std::vector<Statement>& from, const std::vector<Statement>& to) {
     fields::apply(document, node, dialect, fields_of(from), fields_of(to));
   };
+  // The file has keys of a pose, but no pose could be read from them.
   if (old == nullptr) return apply({}, write_pose(after, key));
   apply(translation_of_pose(layout, *old, nullptr), translation_of_pose(layout, *now, nullptr));
   if (largest_difference(*old, *now).distance <= kSameRotation) return;
+  // q and -q are the same rotation: signed_as() chooses the one that is nearer to the numbers in the file.
   const Quaternion in_file = quaternion_in_file(node, layout, dialect);
   apply(rotation_of_pose(layout, in_file, nullptr),
         rotation_of_pose(layout, signed_as(quaternion_for(layout, *now), in_file), nullptr));

@@ -101,8 +101,8 @@ void keep_unread(Reading& reading, const Mapping& mapping, const Node& node, con
         {owner, std::string(*mapping.unread) + entry.key.value, fields::value_text(entry.value)});
   }
   for (const Key& key : mapping.keys) {
-    const bool below = key.with.mapping != nullptr && key.spread == Spread::kOnce;
-    const Node* value = below ? text::find(node, key.name, reading.schema.dialect) : nullptr;
+    const bool has_mapping = key.with.mapping != nullptr && key.spread == Spread::kOnce;
+    const Node* value = has_mapping ? text::find(node, key.name, reading.schema.dialect) : nullptr;
     if (value != nullptr) keep_unread(reading, *key.with.mapping, *value, owner);
   }
 }
@@ -121,19 +121,19 @@ const Node* find_value(Reading& reading, const Key& key, const Node& mapping) {
   if (key.need == Need::kRequired && codes.missing == Code{})
     return reading.reader.require(mapping, key.name, reading.owner.empty() ? reading.schema.what : reading.owner);
   const Node* node = reading.reader.find(mapping, key.name);
-  const bool of_keys = key.with.mapping != nullptr || key.inside;
-  const bool wrong = node != nullptr && codes.wrong != Code{} && of_keys && !node->is_mapping();
-  if (!wrong && (node != nullptr || key.need == Need::kOptional)) return node;
-  const bool error = key.need == Need::kRequired;
-  const bool top = reading.owner.empty();
-  std::vector<Argument> arguments = {key.name, error ? std::vector<Message>() : std::vector<Message>{{codes.unless_wanted}}};
-  if (!top) arguments.insert(arguments.begin(), reading.owner);
-  SourceRange where = reading.reader.document().range(wrong ? *node : mapping);
+  const bool needs_mapping = key.with.mapping != nullptr || key.inside;
+  const bool is_no_mapping = node != nullptr && codes.wrong != Code{} && needs_mapping && !node->is_mapping();
+  if (!is_no_mapping && (node != nullptr || key.need == Need::kOptional)) return node;
+  const bool is_error = key.need == Need::kRequired;
+  const bool is_top_level = reading.owner.empty();
+  std::vector<Argument> arguments = {key.name, is_error ? std::vector<Message>() : std::vector<Message>{{codes.unless_wanted}}};
+  if (!is_top_level) arguments.insert(arguments.begin(), reading.owner);
+  SourceRange where = reading.reader.document().range(is_no_mapping ? *node : mapping);
   where.length = 1;
-  reading.reader.diagnostics().add(error ? Severity::kError : Severity::kWarning,
-                                   wrong ? codes.wrong
-                                   : top ? codes.missing
-                                         : codes.missing_below,
+  reading.reader.diagnostics().add(is_error ? Severity::kError : Severity::kWarning,
+                                   is_no_mapping  ? codes.wrong
+                                   : is_top_level ? codes.missing
+                                                  : codes.missing_below,
                                    arguments, where);
   return nullptr;
 }

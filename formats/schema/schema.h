@@ -257,7 +257,8 @@ struct Subject {
 [[nodiscard]] bool read_mapping(Reading& reading, const Mapping& mapping, const text::Node& node);
 /// Adds to the rig, as extra fields of `owner`, the entries of the mapping and of the mappings in it that no row reads.
 void keep_unread(Reading& reading, const Mapping& mapping, const text::Node& node, const std::string& owner);
-/// The value under a key; null, with the diagnostic of its Need, if it is missing.
+/// The value under a key; null, with the diagnostic of its Need, if it is missing or (with codes.wrong) must be a mapping and
+/// is none.
 [[nodiscard]] const text::Node* find_value(Reading& reading, const Key& key, const text::Node& mapping);
 
 /// A fresh JSON file of a rig or, if schema.one_camera, of one camera. Each level is indented by two more blanks.

@@ -366,6 +366,7 @@ class Bounder {
     ++result_.evaluations;
     const Strip& strip = strips_[cell.strip];
     const Plane source = plane_of(strip.source, radial.source, cell, harmonics);
+    // Drops the cell if none of its pixels lies in the image or in the circle.
     bool centre_inside = true;
     Vector spreads{};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -381,6 +382,7 @@ class Bounder {
       centre_inside = centre_inside && beyond <= 0.0;
     }
     const Plane error = plane_of(strip.error, radial.error, cell, harmonics);
+    // The largest squared error on the tangent plane, which is at one of the four corners of the cell.
     double corner = 0.0;
     for (const double side : {-1.0, 1.0}) {
       double square = 0.0;

@@ -40,8 +40,9 @@ inline std::size_t terms_of(const Polynomial& polynomial) {
 
 /// The field of a pixel over a strip. `centre`: the Taylor series at the strip's centre, whose coefficients become those of the
 /// polynomials. `strip`: the series whose centre is the whole strip, as a ball. Its last coefficient bounds the remainder
-/// (Lagrange), and its first one is a ball with all values in the strip. If the remainder is infinite or larger than that ball,
-/// the polynomial is the ball's midpoint instead and its remainder the ball's radius. `half`: half of the strip's width [rad].
+/// (Lagrange), and its first one is a ball with all values in the strip. If the remainder is infinite or larger than the radius
+/// of that ball, the polynomial is the ball's midpoint instead and its remainder the ball's radius. `half`: half of the strip's
+/// width [rad].
 template <std::size_t N>
 Field<N> field_of(const PolarSeriesOf<N>& centre, const PolarSeriesOf<N>& strip, double half) {
   Field<N> field;

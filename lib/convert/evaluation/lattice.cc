@@ -160,8 +160,8 @@ class Lattice {
     constexpr double kGoldenRatio = 0.6180339887498949;  // its multiples, modulo 1, are spread evenly
     constexpr int kFewestAtEdge = 6;                     // the error has its largest curvature at the edge
     const int few = i % 2 == 0 ? 3 : 4;
-    const double turn = static_cast<double>(i) * kGoldenRatio;
-    const double shift = turn - std::floor(turn);
+    const double multiple = static_cast<double>(i) * kGoldenRatio;
+    const double shift = multiple - std::floor(multiple);
     const std::span<const LineCutter::Piece> pieces = cutter_.pieces(i, spokes_[i]);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const LineCutter::Piece& piece = pieces[k];

@@ -116,11 +116,11 @@ double LineCutter::half_sine_at(const Pixel& pixel) const {
 void LineCutter::cut_step(const Line& line, std::span<double> half_sines, std::size_t i) {
   Step step = {static_cast<double>(i) / kSteps, static_cast<double>(i + 1) / kSteps, half_sines[i], half_sines[i + 1], 0.0};
   if (step.from == kNoHalfSine && step.to == kNoHalfSine) return;
-  if (step.from == kNoHalfSine) {
+  if (step.from == kNoHalfSine) {  // the rays begin inside the step
     find_last_ray(line, step.end, step.begin, step.from);
     step.steep = true;
     end_piece(step.begin, false);
-  } else if (step.to == kNoHalfSine) {
+  } else if (step.to == kNoHalfSine) {  // the rays end inside the step: extrapolates the parabola to its end
     if (i > 1) {
       step.bend = half_sines[i] - 2.0 * half_sines[i - 1] + half_sines[i - 2];
       step.to = 2.0 * half_sines[i] - half_sines[i - 1] + step.bend;
@@ -134,6 +134,7 @@ void LineCutter::cut_step(const Line& line, std::span<double> half_sines, std::s
              half_sines[middle - 1] != kNoHalfSine && half_sines[middle + 1] != kNoHalfSine) {
     step.bend = half_sines[middle + 1] - 2.0 * half_sines[middle] + half_sines[middle - 1];
   }
+  // Cuts the line at the borders between the half sines of the step, in the order in which the line crosses them.
   if (step.from < step.to) {
     for (auto border = std::ranges::upper_bound(borders_, step.from); border != borders_.end() && *border <= step.to; ++border)
       end_piece(place_of(line, step, *border), *border <= scored_half_sine_);

@@ -124,6 +124,7 @@ struct Limit {
 /// The limit that the caller has given.
 Limit as_given(double rad) { return {rad, Code::kFieldOfViewGiven, Code::kFieldOfViewInsideGiven}; }
 
+/// The centres of the pixels in the image's corners.
 std::array<Pixel, 4> corners_of(const ImageSize& size) {
   const double right = size.width - 1.0;
   const double bottom = size.height - 1.0;

@@ -97,9 +97,9 @@ std::optional<Camera> measured(Camera camera, const Projection& projection, doub
   camera.rays.clear();
   const std::vector<double> azimuths = azimuths_about(*centre, *camera.image_size);
   for (std::size_t i = 0; i < azimuths.size(); ++i) {
-    const double turn = 2.0 * std::numbers::pi;
-    const double azimuth_before = i > 0 ? azimuths[i - 1] : azimuths.back() - turn;
-    const double azimuth_after = i + 1 < azimuths.size() ? azimuths[i + 1] : azimuths.front() + turn;
+    const double full_turn = 2.0 * std::numbers::pi;
+    const double azimuth_before = i > 0 ? azimuths[i - 1] : azimuths.back() - full_turn;
+    const double azimuth_after = i + 1 < azimuths.size() ? azimuths[i + 1] : azimuths.front() + full_turn;
     std::vector<Sighting> line = sightings_along(projection, *centre, azimuths[i], max_angle_rad);
     while (!line.empty() && !is_in(*camera.image_size, line.back().entry.pixel)) line.pop_back();
     if (line.empty()) continue;

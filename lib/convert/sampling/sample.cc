@@ -265,10 +265,10 @@ class PolarSampler {
       const double phi = begin + azimuth.position * span;
       const double edge = distance_to_edge(rays_, centre_, phi);
       for (const Node& node : gauss_legendre(radii_)) {
-        const double turn = 0.5 * std::numbers::pi * node.position;
-        const double derivative = 0.5 * std::numbers::pi * std::cos(turn);
-        const double weight = azimuth.weight * span * edge * edge * node.weight * derivative * std::sin(turn);
-        candidates_.push_back({along(centre_, direction(phi), edge * std::sin(turn)), weight});
+        const double angle = 0.5 * std::numbers::pi * node.position;  // of the substitution
+        const double derivative = 0.5 * std::numbers::pi * std::cos(angle);
+        const double weight = azimuth.weight * span * edge * edge * node.weight * derivative * std::sin(angle);
+        candidates_.push_back({along(centre_, direction(phi), edge * std::sin(angle)), weight});
       }
     }
   }
@@ -318,6 +318,7 @@ bool is_whole_image(const Rays& rays) {
 }  // namespace
 
 std::vector<Correspondence> sample(const Lens& source, const FieldOfView& field_of_view, int count) {
+  // The centre of the polar samples: the principal point or, if that is outside the circle, the circle's centre.
   Pixel centre = source.centre().point;
   if (!field_of_view.is_lit(centre)) centre = field_of_view.circle->centre;
   const bool is_centre_inside = centre[0] > 0.0 && centre[1] > 0.0 && centre[0] < field_of_view.size.width - 1.0 &&
@@ -327,7 +328,7 @@ std::vector<Correspondence> sample(const Lens& source, const FieldOfView& field_
   if (is_centre_inside && !is_whole_image(rays)) {
     samples = PolarSampler(rays, centre, count).run();
   } else {
-    // A finer grid compensates for points that are dropped. The principal point of few cameras is outside the image.
+    // If the principal point is outside the image, which is rare, many points of the grid are dropped: it must be finer.
     samples = sample_rectangle(rays, is_centre_inside ? count : 4 * count);
   }
   double total = 0.0;

@@ -27,7 +27,7 @@ using internal::ParameterJacobian;
 using internal::PixelJacobian;
 
 /// True if the uncertainty is that of a camera of this model.
-bool is_of(const Uncertainty& uncertainty, const CameraModel& model) {
+bool belongs_to(const Uncertainty& uncertainty, const CameraModel& model) {
   return uncertainty.model == model_info(model).id && uncertainty.sigmas.size() == parameter_values(model).size();
 }
 
@@ -84,7 +84,7 @@ struct MeanSquare {
 /// a place has no Jacobian.
 std::optional<PixelUncertainty> summary_of(const CameraModel& model, const Uncertainty& uncertainty,
                                            std::span<const Place> places, std::span<const ErrorBand> bands) {
-  if (places.empty() || !is_of(uncertainty, model)) return std::nullopt;
+  if (places.empty() || !belongs_to(uncertainty, model)) return std::nullopt;
   std::vector<Correspondence> samples;
   samples.reserve(places.size());
   for (const Place& place : places) samples.push_back({place.ray, place.pixel, 1.0});
@@ -151,7 +151,8 @@ std::vector<Correspondence> fitted_entries(const Camera& source, const CameraMod
 }
 
 /// The uncertainty of a model that was fitted to a table of rays, from the residuals of the fit; nullopt if it is not known.
-std::optional<PixelUncertainty> of_table(const Camera& source, const CameraModel& target, const ConversionReport& report) {
+std::optional<PixelUncertainty> uncertainty_of_table(const Camera& source, const CameraModel& target,
+                                                     const ConversionReport& report) {
   const std::vector<Correspondence> table = fitted_entries(source, target, report);
   const std::optional<Uncertainty> fitted = uncertainty_of_residuals(target, table, report.at_bound);
   if (!fitted) return std::nullopt;
@@ -167,7 +168,7 @@ std::optional<PixelUncertainty> of_table(const Camera& source, const CameraModel
 
 std::optional<double> pixel_sigma(const CameraModel& model, const Uncertainty& uncertainty, const Ray& ray) {
   const std::optional<Pixel> pixel = project(model, ray);
-  if (!pixel || !is_of(uncertainty, model)) return std::nullopt;
+  if (!pixel || !belongs_to(uncertainty, model)) return std::nullopt;
   const double length = std::hypot(ray[0], ray[1], ray[2]);
   const Correspondence sample{{ray[0] / length, ray[1] / length, ray[2] / length}, *pixel, 1.0};
   const std::optional<PixelJacobian> jacobian = internal::jacobian_of(model, std::span(&sample, 1));
@@ -177,7 +178,7 @@ std::optional<double> pixel_sigma(const CameraModel& model, const Uncertainty& u
 std::optional<Uncertainty> uncertainty_of_fit(const CameraModel& source, const Uncertainty& uncertainty,
                                               const CameraModel& target, std::span<const std::string> held,
                                               const FieldOfView& field_of_view) {
-  if (!uncertainty.has_covariance() || !is_of(uncertainty, source)) return std::nullopt;
+  if (!uncertainty.has_covariance() || !belongs_to(uncertainty, source)) return std::nullopt;
   std::vector<Correspondence> samples = sample(source, field_of_view);
   std::erase_if(samples, [&target](const Correspondence& each) { return !project(target, each.ray); });
   const std::optional<PixelJacobian> of_source = internal::jacobian_of(source, samples);
@@ -213,7 +214,7 @@ std::optional<Uncertainty> uncertainty_of_residuals(const CameraModel& fitted, s
 std::optional<PixelUncertainty> pixel_uncertainty(const Camera& source, const Camera& target, const ConversionReport& report,
                                                   const Uncertainty* stated, std::optional<double> max_angle_rad) {
   if (!target.rays.empty()) return std::nullopt;
-  if (!source.rays.empty()) return of_table(source, target.model, report);
+  if (!source.rays.empty()) return uncertainty_of_table(source, target.model, report);
   if (stated == nullptr) return std::nullopt;
   Diagnostics reported_before;
   const std::optional<FieldOfView> field_of_view = field_of_view_of(source, max_angle_rad, reported_before);
@@ -245,7 +246,7 @@ double least_variance(const Uncertainty& uncertainty) {
 Uncertainty with_pixels(const Uncertainty& uncertainty, const CameraModel& model, const PixelMap& map) {
   Uncertainty result = uncertainty;
   result.values.clear();
-  if (!is_of(uncertainty, model)) return result;
+  if (!belongs_to(uncertainty, model)) return result;
   // The parameters of the mapped model are affine functions of each parameter of the model: difference quotients are exact.
   const auto count = static_cast<Index>(uncertainty.sigmas.size());
   const auto mapped = [&map](const CameraModel& each) {
