@@ -241,7 +241,7 @@ class PoseFrame {
   [[nodiscard]] const std::string& name() const { return name_; }
   /// T_frame_camera, as the rig contains it or as a product of its poses; nullopt if it is not known.
   [[nodiscard]] std::optional<Transform> pose(const Camera& camera) const;
-  /// Like pose(), but nullopt if the frame is the first camera, because no pose is known in the layout's frame.
+  /// The result of pose(), but nullopt if the frame is the first camera because no pose is known in the layout's frame.
   [[nodiscard]] std::optional<Transform> own_pose(const Camera& camera) const { return known_ ? pose(camera) : std::nullopt; }
   /// Reports in `written.defaults` that the file gets a pose under `key` that the rig does not have: the identity, or a pose in
   /// another frame than the layout's. Does nothing if the rig has the pose.

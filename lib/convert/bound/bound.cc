@@ -226,7 +226,7 @@ class Bounder {
   static constexpr int kAzimuths = 8;  ///< The number of cells into which every strip is divided at first.
   /// Half of the range of azimuths of these cells [rad], enlarged so that rounding leaves no gaps between them.
   static constexpr double kFirstWidth = std::numbers::pi / kAzimuths * (1.0 + 4.0 * kRoundOff);
-  /// By rounding, the ray that unproject() returns for a pixel on the border may have a pixel that is outside by up to this.
+  /// The largest distance from the image of the pixel of a ray that unproject() returns for a pixel on the border, by rounding.
   static constexpr double kBorderSlack = 1e-6;  // px
   /// An upper bound of the rounding error of a ray's direction. Near a fold of ocamcalib, the image radius changes fast with
   /// the angle, so that the pixel of a rounded ray may be 1e-7 px from the original pixel in the same camera.

@@ -14,7 +14,7 @@ inline Ball exactly(double value) { return {value, 0.0}; }
 
 /// Sets the form to centre + A (cos phi, sin phi) R. `a`: the matrix A, row-major. `radius`: R.
 void set_radial(PolarSeries& form, const std::array<double, 2>& centre, const std::array<double, 4>& a, const Series& radius);
-/// The same for the centre (cx, cy) and the matrix diag(fx, fy).
+/// Calls set_radial() with the centre (cx, cy) and the matrix diag(fx, fy).
 void set_focal(PolarSeries& form, const double* p, const Series& radius);
 
 /// Adds the tangential distortion with the coefficients p1, p2. `r2`: the squared distance of a point of the normalised image

@@ -20,7 +20,7 @@ class Summary {
 
   /// Adds the first `count` points of the batch.
   void add(const Batch& batch, std::size_t count);
-  /// The same for pixels: points with the weight 1 and the spread 0. It takes a third of the time.
+  /// Does the same for pixels, points with the weight 1 and the spread 0, in a third of the time.
   void add_pixels(const Batch& batch, std::size_t count);
   /// The statistics without a bound. The maximum is the error of the worst point.
   [[nodiscard]] ErrorStatistics statistics(const FieldOfView& field_of_view) const;
@@ -60,7 +60,7 @@ class Summary {
   [[nodiscard]] double worst_threshold() const;
   /// Adds a point to the worst ones, and removes the best of them if they are too many.
   void keep_worst(const Point& point);
-  /// The weight of all points with this verdict [px].
+  /// The weight of all points with this verdict, in pixels.
   [[nodiscard]] double weight(Verdict verdict) const;
 
   struct Band {
