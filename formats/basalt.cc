@@ -57,8 +57,8 @@ constexpr schema::PoseLayout kPoseInImu = {.frame = schema::kImu,
                                            .shortest = 0.95,
                                            .longest = 1.05,
                                            .no_pose = Code::kBasaltNoPose,
-                                           .length = Code::kBasaltQuaternionLength,
-                                           .no_length = Code::kBasaltQuaternionZero,
+                                           .wrong_length = Code::kBasaltQuaternionLength,
+                                           .zero_length = Code::kBasaltQuaternionZero,
                                            .restated = Code::kBasaltPoseRecomputed,
                                            .in_frame = Code::kBasaltPoseInFrame,
                                            .identity = Code::kBasaltIdentity};
@@ -132,7 +132,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
             : !writable_alone(kFormat, rig, Message{Code::kBasaltDemandsSize}, diagnostics))
     return std::nullopt;
-  if (!are_rotations(rig, kPoseInImu, Code::kBasaltMirror, diagnostics)) return std::nullopt;
+  if (!have_positive_determinants(rig, kPoseInImu, Code::kBasaltMirror, diagnostics)) return std::nullopt;
 
   Written written;
   if (edits) list_stale_radius(*old, rig, written.losses);

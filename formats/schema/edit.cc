@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edits a document that contains one rig so that it contains another.
+// Edits a document that contains the rig `before` so that it contains the rig `after`.
 #include "schema.h"
 
 #include <algorithm>
@@ -16,6 +16,7 @@ class Editor {
  public:
   Editor(text::Document& document, Written& written) : document_(document), written_(written) {}
 
+  /// Edits the values of a mapping and of the mappings in it.
   void edit(const Mapping& mapping, const Node& node, const Subject& before, const Subject& after) {
     std::vector<Field> from;
     std::vector<Field> to;
@@ -30,7 +31,8 @@ class Editor {
   }
 
  private:
-  /// Adds the fields of a row before and after the edit. A fact that the new rig does not have stays as it is.
+  /// Adds the fields of a row before the edit to `from`, and those after it to `to`. If the new rig does not have the fact,
+  /// both are the old fields, so that the file does not change.
   static void add_fields(const Key& key, const Subject& before, const Subject& after, std::vector<Field>& from,
                          std::vector<Field>& to) {
     if (key.write == nullptr) return;
@@ -48,6 +50,7 @@ class Editor {
       edit_value(key, value.items[i], {before.schema, before.rig, i}, {after.schema, after.rig, i});
   }
 
+  /// Edits the value of a key, or one item of its list.
   void edit_value(const Key& key, const Node& value, const Subject& before, const Subject& after) {
     if (key.with.mapping != nullptr) return edit(*key.with.mapping, value, before, after);
     if (key.edit != nullptr) return key.edit(document_, value, key, before, after, written_);
@@ -58,6 +61,7 @@ class Editor {
     if (!to.empty() && from != to) edit_items(value, to.front());
   }
 
+  /// Replaces the numbers of a list by the tokens of `field`.
   void edit_items(const Node& list, const Field& field) {
     for (std::size_t i = 0; i < std::min(list.items.size(), field.tokens.size()); ++i)
       fields::set_scalar(document_, list.items[i], field.tokens[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions of the rows of the IMU, and of rows whose values a rig keeps as extra fields.
+// Functions that read and write the IMU's keys, and keys whose values a rig keeps as extra fields.
 #include "keys.h"
 
 #include <fca/formats/text/numbers.h>
@@ -12,19 +12,20 @@ using text::Node;
 
 namespace {
 
-/// The IMU whose keys are being read. Without one, the file's only IMU, which the first key adds to the rig.
+/// The IMU whose keys are being read. If reading.imu is null, it is the only IMU of the file, which is added to the rig
+/// for its first key.
 Imu& imu_of(Reading& reading) {
   if (reading.imu != nullptr) return *reading.imu;
   if (reading.rig.imus.empty()) reading.rig.imus.emplace_back().name = kImu;
   return reading.rig.imus.front();
 }
 
-/// The rig's value. If it has none, a fresh file gets the program's initial value, which is listed as a default; an edit gets
-/// nullopt.
+/// The rig's value of an IMU member. If the rig has none: in a fresh file the program's initial value, which is reported as a
+/// default, and in an edit nullopt.
 std::optional<double> value_of(const Subject& subject, const Key& key) {
-  const std::optional<double> stated =
+  const std::optional<double> known =
       subject.imu < subject.rig.imus.size() ? subject.rig.imus[subject.imu].*key.with.imu : std::nullopt;
-  if (stated || subject.fresh == nullptr) return stated;
+  if (known || subject.fresh == nullptr) return known;
   const Message value{subject.schema.codes.initial_value, {key.with.initial, subject.schema.program}};
   subject.fresh->defaults.push_back({key.text(), value, true, true});
   return key.with.initial;
@@ -32,7 +33,7 @@ std::optional<double> value_of(const Subject& subject, const Key& key) {
 
 Fact fact_of(const Key& key) { return {.kind = FactKind::kImu, .imu = key.with.imu}; }
 
-/// The numbers of this key that the rig keeps as an extra field; zeros if it has none.
+/// The numbers of the key, which the rig keeps as an extra field. Zeros if there is no such field, or if it has another length.
 std::vector<double> kept_numbers_of(const Rig& rig, const Key& key) {
   const ExtraField* extra = rig.find_extra_field(kImu, key.name);
   const std::vector<double> none(key.with.count, 0.0);
@@ -54,7 +55,8 @@ std::vector<Statement> write_imu_number(const Subject& subject, const Key& key) 
   return states(fields::real(key.text(), *value), fact_of(key));
 }
 
-/// A rig has one number for all axes. If the axes differ, the list becomes an extra field and the rig's number stays unknown.
+/// Reads one number for all axes, since a rig has no more. If the axes differ, the list becomes an extra field and the rig's
+/// number stays unknown.
 bool read_density(Reading& reading, const Key& key, const Node& node) {
   if (node.is_scalar()) return read_imu_number(reading, key, node);
   Imu& imu = imu_of(reading);
@@ -73,6 +75,7 @@ bool read_density(Reading& reading, const Key& key, const Node& node) {
   return true;
 }
 
+/// Writes the IMU's number once for each axis.
 std::vector<Statement> write_density(const Subject& subject, const Key& key) {
   const std::optional<double> value = value_of(subject, key);
   if (!value) return {};
@@ -93,7 +96,7 @@ bool keep_numbers(Reading& reading, const Key& key, const Node& node) {
   return true;
 }
 
-/// Only a fresh file gets them; an edit leaves the file's numbers as they are.
+/// Writes nothing in an edit, so that the file keeps its numbers.
 std::vector<Statement> write_kept_numbers(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
   return states(fields::list(key.text(), kept_numbers_of(subject.rig, key)));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions of rows that contain a lens as two names and two lists of numbers, or a pose as 16 numbers.
+// Functions that read and write keys of a lens given by two names and two lists of numbers, of a pose given as 16 numbers, and
+// of a program's own settings.
 #include "keys.h"
 
 #include <fca/normalised_id.h>
@@ -16,28 +17,33 @@ using text::Node;
 namespace {
 
 constexpr std::array<ParameterId, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
-constexpr std::size_t kLongestWord = 40;  ///< Characters of a text of the file that a message shows.
+constexpr std::size_t kLongestQuote = 40;  ///< The largest number of characters of a file's text that a message quotes.
 
-std::string shown(const Node& node) { return node.value.substr(0, kLongestWord); }
+/// The node's text as messages quote it.
+std::string quote(const Node& node) { return node.value.substr(0, kLongestQuote); }
 
+/// The length of the list of coefficients in the file.
 std::size_t length_of(const ListLens& lens) { return lens.coefficients.size() + lens.zeros; }
 
-/// True if the lens has both names. Programs ignore upper and lower case.
+/// True if the lens has both names. Like the programs, ignores upper and lower case.
 bool has_names(const ListLens& lens, const Node& camera_model, const Node& distortion_model) {
   return normalised_id(lens.camera_model) == normalised_id(camera_model.value) &&
          normalised_id(lens.distortion_model) == normalised_id(distortion_model.value);
 }
 
+/// The first entry of the key's lenses that can represent the camera; null if there is none. A model may have several entries
+/// with lists of different lengths: a short list is for cameras whose other parameters are 0.
 const ListLens* lens_of(const CameraModel& model, const Key& key) {
-  // A model may have several entries with lists of different lengths: a short one is for cameras whose other parameters are 0.
-  const auto holds = [&model](const ListLens& lens) {
+  const auto can_represent = [&model](const ListLens& lens) {
     if (lens.model != model_info(model).id) return false;
     return std::ranges::all_of(lens.absent, [&model](ParameterId id) { return parameter(model, id) == 0.0; });
   };
-  const auto found = std::ranges::find_if(key.with.list_lenses, holds);
+  const auto found = std::ranges::find_if(key.with.list_lenses, can_represent);
   return found == key.with.list_lenses.end() ? nullptr : &*found;
 }
 
+/// Reads the parameters `ids` of the camera from a list, which ends with `zeros` further numbers that are ignored. False, with
+/// an error, if the list has another length or an invalid number.
 bool read_list(Reading& reading, const Key& key, const Node& node, std::span<const ParameterId> ids, std::size_t zeros) {
   const std::string what = reading.label(key);
   const bool fits = node.is_sequence() && node.items.size() == ids.size() + zeros;
@@ -48,6 +54,7 @@ bool read_list(Reading& reading, const Key& key, const Node& node, std::span<con
   return good;
 }
 
+/// A list of the parameters `ids` of the camera, followed by `zeros` zeros.
 std::vector<Statement> write_list(const Subject& subject, const Key& key, std::span<const ParameterId> ids, std::size_t zeros) {
   std::vector<double> values;
   Statement statement;
@@ -60,7 +67,8 @@ std::vector<Statement> write_list(const Subject& subject, const Key& key, std::s
   return {std::move(statement)};
 }
 
-std::vector<Statement> states_pose(const Key& key, const Transform& T, const PoseEdge* edge) {
+/// A list of the 16 numbers of T, row-major. `edge`: the pose of the rig that they belong to, or null.
+std::vector<Statement> pose_statement(const Key& key, const Transform& T, const PoseEdge* edge) {
   Statement statement = {fields::list(key.text(), T.values), {}};
   for (int i = 0; i < 16; ++i)
     statement.facts.push_back({.kind = FactKind::kPose, .pose = edge, .row = i / 4, .column = i % 4});
@@ -69,47 +77,50 @@ std::vector<Statement> states_pose(const Key& key, const Transform& T, const Pos
 
 }  // namespace
 
-/// Reads the lens of a camera, which both names determine or, if several lenses have these, the number of coefficients.
+/// Reads the lens of a camera: the one that has both names. If several lenses have them, the number of coefficients decides.
 bool read_list_lens(Reading& reading, const Key& key, const Node& node) {
   const Node* other = reading.reader.find(*reading.mapping, key.with.other);
   const Node* coefficients = reading.reader.find(*reading.mapping, key.with.list);
   if (other == nullptr) return false;  // the row of that key reports the error
-  const auto named = [&](const ListLens& lens) { return has_names(lens, *other, node); };
+  const auto has_both_names = [&](const ListLens& lens) { return has_names(lens, *other, node); };
   const std::span<const ListLens> lenses = key.with.list_lenses;
-  if (std::ranges::none_of(lenses, named)) {
+  if (std::ranges::none_of(lenses, has_both_names)) {
     const bool known = std::ranges::any_of(
         lenses, [other](const ListLens& lens) { return normalised_id(lens.camera_model) == normalised_id(other->value); });
     reading.reader.say(known ? node : *other, reading.schema.codes.unknown_lens,
-                       {reading.camera->name, shown(*other), shown(node)});
+                       {reading.camera->name, quote(*other), quote(node)});
     return false;
   }
   const std::size_t count = coefficients != nullptr ? coefficients->items.size() : 0;
-  const auto lens = std::ranges::find_if(lenses, [&](const ListLens& each) { return named(each) && length_of(each) == count; });
-  if (lens == lenses.end() && coefficients != nullptr && !std::ranges::find_if(lenses, named)->any_length) {
+  const auto lens =
+      std::ranges::find_if(lenses, [&](const ListLens& each) { return has_both_names(each) && length_of(each) == count; });
+  if (lens == lenses.end() && coefficients != nullptr && !std::ranges::find_if(lenses, has_both_names)->any_length) {
     std::set<std::size_t> lengths;
     for (const ListLens& each : lenses) {
-      if (named(each)) lengths.insert(length_of(each));
+      if (has_both_names(each)) lengths.insert(length_of(each));
     }
     std::vector<std::string> wanted;
     wanted.reserve(lengths.size());
     for (const std::size_t length : lengths) wanted.push_back(std::to_string(length));
     reading.reader.say(*coefficients, reading.schema.codes.coefficient_count,
-                       {reading.owner + " " + std::string(key.with.list), count, wanted, shown(node)});
+                       {reading.owner + " " + std::string(key.with.list), count, wanted, quote(node)});
     return false;
   }
-  const ListLens& taken = lens != lenses.end() ? *lens : *std::ranges::find_if(lenses, named);
+  const ListLens& taken = lens != lenses.end() ? *lens : *std::ranges::find_if(lenses, has_both_names);
   reading.camera->model = make_model(taken.model).value();
   reading.list_lens = &taken;
-  if (taken.found != Code{}) reading.reader.say(node, taken.found, {reading.camera->name, shown(*other), shown(node)});
+  if (taken.found != Code{}) reading.reader.say(node, taken.found, {reading.camera->name, quote(*other), quote(node)});
   return !reading.reader.diagnostics().has_errors();
 }
 
+/// Writes the second name of the lens (distortion_model).
 std::vector<Statement> write_list_lens(const Subject& subject, const Key& key) {
   const ListLens* lens = lens_of(subject.the_camera().model, key);
   if (lens == nullptr) return {};
   return states(fields::scalar(key.text(), std::string(lens->distortion_model)), {FactKind::kModel});
 }
 
+/// Writes the first name of the lens.
 std::vector<Statement> write_camera_model(const Subject& subject, const Key& key) {
   const ListLens* lens = lens_of(subject.the_camera().model, key);
   if (lens == nullptr) return {};
@@ -124,6 +135,8 @@ std::vector<Statement> write_focal_and_centre(const Subject& subject, const Key&
   return write_list(subject, key, kFocalAndCentre, 0);
 }
 
+/// Reads the coefficients of the lens, which read_list_lens() must have found. The list of a lens without coefficients is not
+/// read.
 bool read_coefficients(Reading& reading, const Key& key, const Node& node) {
   if (reading.list_lens == nullptr) return false;
   const bool unread = reading.list_lens->coefficients.empty();
@@ -154,18 +167,20 @@ bool read_side_of_four(Reading& reading, const Key& key, const Node& node) {
   return side == 4;
 }
 
+/// Writes nothing in an edit.
 std::vector<Statement> write_side_of_four(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
   return states(fields::integer(key.text(), 4));
 }
 
-/// True for an identity up to rounding (the tolerance of gtsam).
+/// True if T differs from the identity by at most gtsam's tolerance.
 bool is_identity(const Transform& T) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kTolerance = 1e-9;
   const Transform identity;
-  return std::ranges::equal(T.values, identity.values, [](double a, double b) { return std::abs(a - b) <= kRounding; });
+  return std::ranges::equal(T.values, identity.values, [](double a, double b) { return std::abs(a - b) <= kTolerance; });
 }
 
+/// Reads the pose of a camera. The pose of the camera that is itself the frame must be the identity.
 bool read_matrix(Reading& reading, const Key& key, const Node& node) {
   const PoseLayout& layout = *key.with.pose;
   const std::optional<Transform> T = reading.reader.transform(node, reading.label(key));
@@ -179,14 +194,15 @@ bool read_matrix(Reading& reading, const Key& key, const Node& node) {
   return true;
 }
 
+/// Writes the pose of a camera. If it is not known, a fresh file gets an assumed pose (PoseFrame), and an edit changes nothing.
 std::vector<Statement> write_matrix(const Subject& subject, const Key& key) {
   const Camera& camera = subject.the_camera();
   const PoseFrame frame(subject.rig, *key.with.pose);
   const bool fresh = subject.fresh != nullptr;
   const std::optional<Transform> T = fresh ? frame.pose(camera) : frame.own_pose(camera);
-  if (fresh) frame.list_made_up(key.with.other, *key.with.pose, camera, *subject.fresh);
+  if (fresh) frame.report_assumed_pose(key.with.other, *key.with.pose, camera, *subject.fresh);
   if (!fresh && !T) return {};
-  return states_pose(key, T.value_or(Transform{}), edge_of(subject.rig, key.with.pose->frame, camera.name));
+  return pose_statement(key, T.value_or(Transform{}), edge_of(subject.rig, key.with.pose->frame, camera.name));
 }
 
 bool read_identity(Reading& reading, const Key& key, const Node& node) {
@@ -195,9 +211,10 @@ bool read_identity(Reading& reading, const Key& key, const Node& node) {
   return T && is_identity(*T);
 }
 
+/// Writes nothing in an edit.
 std::vector<Statement> write_identity(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
-  return states_pose(key, Transform{}, nullptr);
+  return pose_statement(key, Transform{}, nullptr);
 }
 
 bool read_imu_matrix(Reading& reading, const Key& key, const Node& node) {
@@ -209,17 +226,19 @@ bool read_imu_matrix(Reading& reading, const Key& key, const Node& node) {
   return true;
 }
 
+/// Writes the pose of an IMU, as the rig contains it or as a product of its poses; nothing if it is not known.
 std::vector<Statement> write_imu_matrix(const Subject& subject, const Key& key) {
   if (subject.imu >= subject.rig.imus.size()) return {};
   const std::string& imu = subject.rig.imus[subject.imu].name;
-  const Transform* stated = subject.rig.stated(key.with.pose->frame, imu);
-  const std::optional<Transform> T = stated != nullptr ? *stated : subject.rig.resolve(key.with.pose->frame, imu);
+  const Transform* direct = subject.rig.stated(key.with.pose->frame, imu);
+  const std::optional<Transform> T = direct != nullptr ? *direct : subject.rig.resolve(key.with.pose->frame, imu);
   if (!T) return {};
-  return states_pose(key, *T, edge_of(subject.rig, key.with.pose->frame, imu));
+  return pose_statement(key, *T, edge_of(subject.rig, key.with.pose->frame, imu));
 }
 
 bool read_fixed(Reading& /*reading*/, const Key& /*key*/, const Node& /*node*/) { return true; }
 
+/// Writes nothing in an edit.
 std::vector<Statement> write_fixed(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
   return states(fields::scalar(key.text(), std::string(key.with.token)));
@@ -235,7 +254,7 @@ const ExtraField* kept_tuning(const Rig& rig, const Key& key) {
   return is_numbers ? kept : nullptr;
 }
 
-/// Writes the value that the rig keeps as an extra field or, if there is none, that of the program's own file.
+/// Writes the value that the rig keeps as an extra field or, if it keeps none, the value in the program's own file.
 std::vector<Statement> write_tuning(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
   const ExtraField* kept = kept_tuning(subject.rig, key);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists what a format has no key for.
+// Lists the facts of a rig that are lost because a format has no key for them, or rounds them.
 #include "../losses.h"
 
 #include "keys.h"
@@ -25,22 +25,24 @@ const Key* find_key(const Mapping& mapping, const std::function<bool(const Key&)
   return nullptr;
 }
 
+/// The first key of the table that writes facts of that kind; null if there is none.
 const Key* find_key(const Schema& schema, FactKind kind) {
   return find_key(schema.root, [kind](const Key& key) { return key.fact == kind && key.write != nullptr; });
 }
 
-/// Lists the losses of a format that has one time offset, perhaps rounded to whole units, for all cameras.
+/// Lists the losses of a format with a single time offset for all cameras: other cameras' offsets, and the rounding to units.
 void list_common_offset(const Schema& schema, const Key& key, const Rig& rig, std::vector<Loss>& losses) {
-  const auto stated = std::ranges::find_if(rig.cameras, [](const Camera& camera) { return camera.time_offset_s.has_value(); });
-  if (stated == rig.cameras.end()) return;
-  const double common = stated->time_offset_s.value();
-  constexpr double kExact = 1e-12;
-  const bool whole = key.with.per_second != 1.0;
-  if (whole && std::abs(std::round(common * key.with.per_second) / key.with.per_second - common) > kExact)
+  const auto first = std::ranges::find_if(rig.cameras, [](const Camera& camera) { return camera.time_offset_s.has_value(); });
+  if (first == rig.cameras.end()) return;
+  const double common = first->time_offset_s.value();
+  constexpr double kSmallestLossS = 1e-12;  // s; a smaller change by rounding is not reported
+  const bool is_rounded = key.with.per_second != 1.0;
+  if (is_rounded && std::abs(std::round(common * key.with.per_second) / key.with.per_second - common) > kSmallestLossS)
     losses.push_back(lost(schema.codes.offset_rounded, "", "", {common}));
   add_other_time_offsets(rig, common, Message{schema.codes.one_offset}, losses);
 }
 
+/// Lists those of the camera's time offset, topic and frame rate for which the format has no key.
 void list_stream(const Schema& schema, Camera camera, const Message& why, std::vector<Loss>& losses) {
   if (holds(schema, FactKind::kTimeOffset)) camera.time_offset_s.reset();
   if (holds(schema, FactKind::kTopic)) camera.topic.clear();

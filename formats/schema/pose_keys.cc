@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions of a row that contains a pose as a translation and a quaternion.
+// Functions that read, write and edit a key that holds a pose as a translation and a quaternion.
 #include "keys.h"
 
 #include <fca/formats/text/numbers.h>
@@ -17,11 +17,13 @@ using text::Node;
 
 namespace {
 
-/// A matrix that differs by less from the rotation of its quaternion is not listed as changed.
-constexpr double kRounding = 1e-9;
-constexpr double kSameRotation = 1e-12;  ///< Two rotations whose elements differ by less are the same.
-constexpr double kPrinted = 1e-3;        ///< Deviation from length 1 of a quaternion that was printed with few digits.
-/// The entries of a pose's translation or rotation: one list, or one entry per number.
+/// The smallest difference between a matrix and the rotation of its quaternion that is reported.
+constexpr double kSmallestReported = 1e-9;
+constexpr double kSameRotation = 1e-12;  ///< Two rotations whose elements differ by at most this are the same.
+/// The largest deviation from length 1 of a quaternion that was printed with few digits.
+constexpr double kPrinted = 1e-3;
+
+/// The statements of a pose's translation or rotation: one list if `keys` has one key, otherwise one statement per number.
 std::vector<Statement> statements_of(std::span<const std::string_view> keys, std::span<const double> values,
                                      std::span<const Fact> facts) {
   if (keys.size() == 1) return {{fields::list(std::string(keys.front()), values), {facts.begin(), facts.end()}}};
@@ -31,6 +33,7 @@ std::vector<Statement> statements_of(std::span<const std::string_view> keys, std
   return statements;
 }
 
+/// The statements of the translation of T. `edge`: the pose of the rig that the numbers belong to, or null.
 std::vector<Statement> translation_of_pose(const PoseLayout& layout, const Transform& T, const PoseEdge* edge) {
   const Fact x = {.kind = FactKind::kPose, .pose = edge, .row = 0, .column = 3};
   std::array facts = {x, x, x};
@@ -38,11 +41,13 @@ std::vector<Statement> translation_of_pose(const PoseLayout& layout, const Trans
   return statements_of(layout.translation, translation_of(T), facts);
 }
 
+/// The statements of a quaternion. Each of its numbers depends on all elements of the rotation matrix (row -1 of a Fact).
 std::vector<Statement> rotation_of_pose(const PoseLayout& layout, const Quaternion& q, const PoseEdge* edge) {
-  const Fact any = {.kind = FactKind::kPose, .pose = edge, .row = -1};
-  return statements_of(layout.rotation, q, std::array{any, any, any, any});
+  const Fact any_element = {.kind = FactKind::kPose, .pose = edge, .row = -1};
+  return statements_of(layout.rotation, q, std::array{any_element, any_element, any_element, any_element});
 }
 
+/// The quaternion that the file gets. If the layout reports changed poses (`restated`), that of the rotation nearest to T.
 Quaternion quaternion_for(const PoseLayout& layout, const Transform& T) {
   return quaternion_of(layout.restated != Code{} ? nearest_rotation(T).value_or(T) : T);
 }
@@ -60,7 +65,7 @@ std::vector<const Node*> numbers_of(const Node& pose, std::span<const std::strin
 }
 
 /// The quaternion in the file, with 0 for each number that is missing or cannot be read.
-Quaternion stated_quaternion(const Node& pose, const PoseLayout& layout, text::Dialect dialect) {
+Quaternion quaternion_in_file(const Node& pose, const PoseLayout& layout, text::Dialect dialect) {
   Quaternion q{};
   const std::vector<const Node*> numbers = numbers_of(pose, layout.rotation, dialect);
   for (std::size_t i = 0; i < std::min(q.size(), numbers.size()); ++i)
@@ -68,18 +73,19 @@ Quaternion stated_quaternion(const Node& pose, const PoseLayout& layout, text::D
   return q;
 }
 
-/// Lists the change if a pose is written as a quaternion but its matrix is not exactly a rotation: it was printed with few
-/// digits, or is a product of such matrices.
-void list_restated(const PoseFrame& frame, const Key& key, const Camera& camera, const Transform& T, Written& written) {
+/// Reports the change if the matrix T, which is written as a quaternion, is not exactly a rotation. Such a matrix was printed
+/// with few digits, or is a product of such matrices.
+void report_rounded_pose(const PoseFrame& frame, const Key& key, const Camera& camera, const Transform& T, Written& written) {
   const PoseLayout& layout = *key.with.pose;
-  const Transform said = pose_of(quaternion_for(layout, T), translation_of(T));
-  const double off = largest_difference(said, T).distance;
-  if (layout.restated == Code{} || !frame.known() || off <= kRounding) return;
-  written.restated.push_back({frame.name(), camera.name, said});
-  written.losses.push_back(lost(layout.restated, camera.name, key.text(), {frame.name(), off}));
+  const Transform written_pose = pose_of(quaternion_for(layout, T), translation_of(T));
+  const double largest_change = largest_difference(written_pose, T).distance;
+  if (layout.restated == Code{} || !frame.known() || largest_change <= kSmallestReported) return;
+  written.restated.push_back({frame.name(), camera.name, written_pose});
+  written.losses.push_back(lost(layout.restated, camera.name, key.text(), {frame.name(), largest_change}));
 }
 
-/// Reads the numbers of the seven keys; nullopt, with an error, if one is missing or is no number.
+/// Reads the three numbers of the translation and the four of the quaternion, each under a key of its own. nullopt, with an
+/// error, if a key is missing or its value is no number. A layout with lists needs another reader.
 std::optional<std::vector<double>> read_numbers(Reading& reading, const Key& key, const Node& node) {
   const std::string what = reading.label(key);
   std::vector<double> numbers;
@@ -95,20 +101,20 @@ std::optional<std::vector<double>> read_numbers(Reading& reading, const Key& key
   return numbers;
 }
 
-/// The quaternion scaled to length 1. Adds a warning if the length differs from 1 by more than kPrinted, within the layout's
-/// limits. nullopt, with an error, outside these.
+/// The quaternion scaled to length 1. Adds a warning if its length differs from 1 by more than kPrinted. If the length is
+/// outside the layout's limits, adds an error instead and returns nullopt.
 std::optional<Quaternion> unit_quaternion(Reading& reading, const Key& key, const Quaternion& q, const Node& place) {
   const PoseLayout& layout = *key.with.pose;
   const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
   if (std::abs(norm - 1.0) <= kPrinted) return normalised(q);
   const bool near = norm >= layout.shortest && norm <= layout.longest;
-  reading.reader.say(near ? Severity::kWarning : Severity::kError, place, norm > 0.0 ? layout.length : layout.no_length,
+  reading.reader.say(near ? Severity::kWarning : Severity::kError, place, norm > 0.0 ? layout.wrong_length : layout.zero_length,
                      {reading.label(key), norm});
   return near ? std::optional(normalised(q)) : std::nullopt;
 }
 
-/// The node of the coordinate that exceeds the largest distance allowed in a rig; the first one if none does.
-const Node& longest_coordinate(const std::vector<const Node*>& translation) {
+/// The node of the first coordinate that exceeds the largest distance allowed in a rig; the first node if none does.
+const Node& coordinate_beyond_limit(const std::vector<const Node*>& translation) {
   const auto beyond = std::ranges::find_if(
       translation, [](const Node* node) { return std::abs(text::parse_real(node->value).value_or(0.0)) > kLongestDistance; });
   return beyond == translation.end() ? *translation.front() : **beyond;
@@ -133,11 +139,12 @@ std::optional<Transform> PoseFrame::pose(const Camera& camera) const {
   return stated != nullptr ? *stated : rig_.resolve(name_, camera.name);
 }
 
-void PoseFrame::list_made_up(std::string_view key, const PoseLayout& layout, const Camera& camera, Written& written) const {
-  const bool stated = pose(camera).has_value();
-  if (known_ && stated) return;
-  const bool in_frame = stated && name_ != camera.name;
-  const Message value = in_frame ? Message{layout.in_frame, {name_}} : Message{layout.identity};
+void PoseFrame::report_assumed_pose(std::string_view key, const PoseLayout& layout, const Camera& camera,
+                                    Written& written) const {
+  const bool has_pose = pose(camera).has_value();
+  if (known_ && has_pose) return;
+  const bool in_other_camera = has_pose && name_ != camera.name;
+  const Message value = in_other_camera ? Message{layout.in_frame, {name_}} : Message{layout.identity};
   const Code made_up = layout.made_up;
   written.defaults.push_back(
       {camera.name + " " + std::string(key), made_up != Code{} ? Message{made_up, {value}} : value, true, true});
@@ -156,7 +163,7 @@ bool read_pose(Reading& reading, const Key& key, const Node& node) {
   const Node& rotation = *numbers_of(node, layout.rotation, dialect).front();
   const std::optional<Quaternion> q = unit_quaternion(reading, key, {(*n)[3], (*n)[4], (*n)[5], (*n)[6]}, rotation);
   if (!q) return false;
-  const Node& translation = longest_coordinate(numbers_of(node, layout.translation, dialect));
+  const Node& translation = coordinate_beyond_limit(numbers_of(node, layout.translation, dialect));
   return add_pose(reading, layout, pose_of(*q, {(*n)[0], (*n)[1], (*n)[2]}), {rotation, what}, {translation, what});
 }
 
@@ -169,13 +176,15 @@ bool add_pose(Reading& reading, const PoseLayout& layout, const Transform& T, co
   return true;
 }
 
+/// Writes the pose of a camera in the frame of PoseFrame; the identity if the pose is not known. For a fresh file, reports
+/// assumed and rounded poses.
 std::vector<Statement> write_pose(const Subject& subject, const Key& key) {
   const Camera& camera = subject.the_camera();
   const PoseFrame frame(subject.rig, *key.with.pose);
   const std::optional<Transform> T = frame.pose(camera);
   if (subject.fresh != nullptr) {
-    frame.list_made_up(key.name, *key.with.pose, camera, *subject.fresh);
-    if (T) list_restated(frame, key, camera, *T, *subject.fresh);
+    frame.report_assumed_pose(key.name, *key.with.pose, camera, *subject.fresh);
+    if (T) report_rounded_pose(frame, key, camera, *T, *subject.fresh);
   }
   const PoseLayout& layout = *key.with.pose;
   const PoseEdge* edge = edge_of(subject.rig, layout.frame, camera.name);
@@ -192,21 +201,23 @@ void edit_pose(text::Document& document, const Node& node, const Key& key, const
   const text::Dialect dialect = after.schema.dialect;
   const PoseFrame frame(after.rig, layout);
   const std::optional<Transform> now = frame.own_pose(after.the_camera());
-  const Transform* stated = before.rig.stated(layout.frame, before.the_camera().name);
-  if (!now || (stated != nullptr && *stated == *now) || node.entries.empty()) return;
+  const Transform* old = before.rig.stated(layout.frame, before.the_camera().name);
+  if (!now || (old != nullptr && *old == *now) || node.entries.empty()) return;
   const auto apply = [&](const std::vector<Statement>& from, const std::vector<Statement>& to) {
     fields::apply(document, node, dialect, fields_of(from), fields_of(to));
   };
-  if (stated == nullptr) return apply({}, write_pose(after, key));
-  apply(translation_of_pose(layout, *stated, nullptr), translation_of_pose(layout, *now, nullptr));
-  if (largest_difference(*stated, *now).distance <= kSameRotation) return;
-  const Quaternion there = stated_quaternion(node, layout, dialect);
-  apply(rotation_of_pose(layout, there, nullptr),
-        rotation_of_pose(layout, signed_as(quaternion_for(layout, *now), there), nullptr));
-  list_restated(frame, key, after.the_camera(), *now, written);
+  // The file has keys of a pose, but no pose could be read from them.
+  if (old == nullptr) return apply({}, write_pose(after, key));
+  apply(translation_of_pose(layout, *old, nullptr), translation_of_pose(layout, *now, nullptr));
+  if (largest_difference(*old, *now).distance <= kSameRotation) return;
+  // q and -q are the same rotation: signed_as() chooses the one that is nearer to the numbers in the file.
+  const Quaternion in_file = quaternion_in_file(node, layout, dialect);
+  apply(rotation_of_pose(layout, in_file, nullptr),
+        rotation_of_pose(layout, signed_as(quaternion_for(layout, *now), in_file), nullptr));
+  report_rounded_pose(frame, key, after.the_camera(), *now, written);
 }
 
-bool are_rotations(const Rig& rig, const PoseLayout& layout, Code code, Diagnostics& diagnostics) {
+bool have_positive_determinants(const Rig& rig, const PoseLayout& layout, Code code, Diagnostics& diagnostics) {
   const PoseFrame frame(rig, layout);
   bool good = true;
   for (const Camera& camera : rig.cameras) {

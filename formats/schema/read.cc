@@ -31,7 +31,7 @@ struct CameraList {
   const Node* node;
 };
 
-/// True if the list has `count` items, or may have fewer; otherwise false, with an error.
+/// True if the list has `count` items, or may have another number of items (kSomeEach). Otherwise false, with an error.
 bool has_items(Reading& reading, const CameraList& list, std::size_t count) {
   if (list.node->is_sequence() && (list.key->spread == Spread::kSomeEach || list.node->items.size() == count)) return true;
   if (list.key->spread == Spread::kSomeEach) return true;
@@ -43,8 +43,8 @@ bool has_items(Reading& reading, const CameraList& list, std::size_t count) {
   return false;
 }
 
-/// Collects the lists of the mapping that can be read. `count` becomes the number of cameras. False, with errors, if a list
-/// cannot be read.
+/// Collects in `lists` the lists of the mapping with items of cameras, and sets `count` to the number of cameras. False, with
+/// errors, if the list that determines this number (kCounted) is missing or another list cannot be read.
 bool find_lists(Reading& reading, const Mapping& mapping, const Node& node, std::vector<CameraList>& lists,
                 std::size_t& count) {
   bool good = true;
@@ -69,7 +69,8 @@ bool find_lists(Reading& reading, const Mapping& mapping, const Node& node, std:
   return good;
 }
 
-/// Adds the cameras to the rig and reads each one's items of all lists.
+/// Adds to the rig the cameras for which the mapping has lists, and reads the items of each camera. False, with errors, if one
+/// cannot be read.
 bool read_cameras(Reading& reading, const Mapping& mapping, const Node& node) {
   std::vector<CameraList> lists;
   std::size_t count = 0;
@@ -100,8 +101,8 @@ void keep_unread(Reading& reading, const Mapping& mapping, const Node& node, con
         {owner, std::string(*mapping.unread) + entry.key.value, fields::value_text(entry.value)});
   }
   for (const Key& key : mapping.keys) {
-    const bool below = key.with.mapping != nullptr && key.spread == Spread::kOnce;
-    const Node* value = below ? text::find(node, key.name, reading.schema.dialect) : nullptr;
+    const bool has_mapping = key.with.mapping != nullptr && key.spread == Spread::kOnce;
+    const Node* value = has_mapping ? text::find(node, key.name, reading.schema.dialect) : nullptr;
     if (value != nullptr) keep_unread(reading, *key.with.mapping, *value, owner);
   }
 }
@@ -120,19 +121,19 @@ const Node* find_value(Reading& reading, const Key& key, const Node& mapping) {
   if (key.need == Need::kRequired && codes.missing == Code{})
     return reading.reader.require(mapping, key.name, reading.owner.empty() ? reading.schema.what : reading.owner);
   const Node* node = reading.reader.find(mapping, key.name);
-  const bool of_keys = key.with.mapping != nullptr || key.inside;
-  const bool wrong = node != nullptr && codes.wrong != Code{} && of_keys && !node->is_mapping();
-  if (!wrong && (node != nullptr || key.need == Need::kOptional)) return node;
-  const bool error = key.need == Need::kRequired;
-  const bool top = reading.owner.empty();
-  std::vector<Argument> arguments = {key.name, error ? std::vector<Message>() : std::vector<Message>{{codes.unless_wanted}}};
-  if (!top) arguments.insert(arguments.begin(), reading.owner);
-  SourceRange where = reading.reader.document().range(wrong ? *node : mapping);
+  const bool needs_mapping = key.with.mapping != nullptr || key.inside;
+  const bool is_no_mapping = node != nullptr && codes.wrong != Code{} && needs_mapping && !node->is_mapping();
+  if (!is_no_mapping && (node != nullptr || key.need == Need::kOptional)) return node;
+  const bool is_error = key.need == Need::kRequired;
+  const bool is_top_level = reading.owner.empty();
+  std::vector<Argument> arguments = {key.name, is_error ? std::vector<Message>() : std::vector<Message>{{codes.unless_wanted}}};
+  if (!is_top_level) arguments.insert(arguments.begin(), reading.owner);
+  SourceRange where = reading.reader.document().range(is_no_mapping ? *node : mapping);
   where.length = 1;
-  reading.reader.diagnostics().add(error ? Severity::kError : Severity::kWarning,
-                                   wrong ? codes.wrong
-                                   : top ? codes.missing
-                                         : codes.missing_below,
+  reading.reader.diagnostics().add(is_error ? Severity::kError : Severity::kWarning,
+                                   is_no_mapping  ? codes.wrong
+                                   : is_top_level ? codes.missing
+                                                  : codes.missing_below,
                                    arguments, where);
   return nullptr;
 }

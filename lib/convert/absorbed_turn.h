@@ -10,12 +10,13 @@
 
 namespace fca::internal {
 
-/// Replaces a fit by one that also rotates the camera, if its rms is smaller and it covers as much of the image; otherwise adds
-/// a diagnostic. The new fit has no proven error bound: bounds exist only for a source and a target with the same axes.
+/// Makes a fit that also rotates the camera. Replaces the conversion by it if its rms is at least 1 % smaller and it covers as
+/// much of the image; otherwise adds a diagnostic. The new fit has no proven error bound: bounds exist only for a source and a
+/// target with the same axis.
 void absorb_turn(const FitTask& task, const DegreeFit& fit, Conversion& conversion, Diagnostics& diagnostics);
 
-/// An estimate of the fit with a rotation, if `rms_px`, the rms of the fit without one, is at least 0.02 px and a rotation
-/// would make it at least 20 % smaller; otherwise nullopt.
+/// The estimated angle and rms of a fit that also rotates the camera. nullopt unless `rms_px`, the rms of the fit without a
+/// rotation, is at least 0.02 px and the estimate is more than 20 % smaller.
 [[nodiscard]] std::optional<TurnOffer> offered_turn(const FitTask& task, const DegreeFit& fit, double rms_px);
 
 }  // namespace fca::internal

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// convert(): checks the options, converts a camera exactly or by a fit, evaluates the result and fills in the report.
 #include <fca/convert/convert.h>
 
 #include "absorbed_turn.h"
@@ -31,25 +32,27 @@ constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 using internal::FitTask;
 
+/// Warns that the target describes the camera only up to this angle from the axis [rad].
 void warn_of_reduced_angle(const FitTask& task, double max_angle_rad, Diagnostics& diagnostics) {
   diagnostics.add(Code::kTargetCannotReach, {task.camera.name, task.target.id, max_angle_rad / kRadiansPerDegree});
 }
 
-/// Warns if a model that should have rays up to 90 degrees (pinhole-like) has none for a part of the image: its distortion
-/// folds there.
+/// Reports a perspective model that has no ray for a part of the image although such models should have rays up to 90 degrees
+/// from the axis. Its image radius stops growing there: the distortion folds.
 void warn_of_fold(const Camera& camera, const Coverage& coverage, Diagnostics& diagnostics) {
-  constexpr double kCorners = 1e-3;
-  constexpr double kToThinkOf = 0.01;
-  if (!is_perspective(model_info(camera.model).id) || coverage.outside_lens < kCorners) return;
-  diagnostics.add(coverage.outside_lens > kToThinkOf ? Severity::kWarning : Severity::kNote, Code::kFoldsInsideImage,
+  constexpr double kSmallestShare = 1e-3;       // of the image; a smaller part without rays is not reported
+  constexpr double kLargestShareOfNote = 0.01;  // of the image; a larger part is a warning instead of a note
+  if (!is_perspective(model_info(camera.model).id) || coverage.outside_lens < kSmallestShare) return;
+  diagnostics.add(coverage.outside_lens > kLargestShareOfNote ? Severity::kWarning : Severity::kNote, Code::kFoldsInsideImage,
                   {camera.name, max_angle(camera.model) / kRadiansPerDegree, coverage.outside_lens});
 }
 
-/// Warns of parameters that no real camera has, but that can be converted. `check` applies stricter limits.
+/// Warns of focal lengths and principal points that no real camera has, but that can be converted. The command `check` applies
+/// stricter limits.
 void warn_of_odd_camera(const Camera& camera, const ImageSize& size, Diagnostics& diagnostics) {
-  constexpr double kNoSensor = 2.0;
+  constexpr double kLargestRatio = 2.0;  // of the focal lengths; larger than that of any real sensor
   const auto [f_u, f_v] = central_focal_lengths(camera.model);
-  if (std::max(f_u, f_v) > kNoSensor * std::min(f_u, f_v)) {
+  if (std::max(f_u, f_v) > kLargestRatio * std::min(f_u, f_v)) {
     diagnostics.add(Code::kFocalLengthsDiffer, {camera.name, f_u, f_v});
   }
   const auto [u, v] = principal_point(camera.model);
@@ -58,8 +61,8 @@ void warn_of_odd_camera(const Camera& camera, const ImageSize& size, Diagnostics
   }
 }
 
-/// The ratio of the largest and the smallest number of pixels per radian over all directions at the axis; 1 if the axis has no
-/// pixels around it, infinite if one direction has none.
+/// The largest number of pixels per radian at the axis divided by the smallest, over all directions from it. 1 if rays near the
+/// axis have no pixels; infinite if the smallest number is 0.
 double stretch_on_axis(const CameraModel& model) {
   constexpr double kStep = 1e-5;
   const auto pixels = [&model](double x, double y) -> std::optional<Pixel> {
@@ -78,47 +81,49 @@ double stretch_on_axis(const CameraModel& model) {
   return (squares + std::sqrt(std::max(0.0, squares * squares - 4.0 * determinant * determinant))) / (2.0 * determinant);
 }
 
-/// No sensor has pixels stretched that much. To save time, one fit is made, without a search for a smaller angle or a higher
-/// degree.
-ConvertOptions within_reason(ConvertOptions options, double stretch, const ModelInfo& target) {
-  constexpr double kNoSensor = 3.0;
-  if (stretch <= kNoSensor) return options;
+/// The options, reduced to a single fit if the stretch is larger than that of any real sensor: without a search for a smaller
+/// angle or a higher degree, which would take long. `stretch`: see stretch_on_axis().
+ConvertOptions without_search_if_stretched(ConvertOptions options, double stretch, const ModelInfo& target) {
+  constexpr double kLargestStretch = 3.0;
+  if (stretch <= kLargestStretch) return options;
   options.reduce_angle = false;
   if (target.least_degree > 0) options.degree = options.degree.value_or(target.least_degree);
   return options;
 }
 
-/// False, with an error, if the parameters are no real camera's: a fit would take a hundred times as long and be wrong by many
-/// pixels.
+/// False, with an error, if the stretch at the axis is larger than that of any lens. A fit would then take a hundred times as
+/// long and be wrong by many pixels.
 bool is_worth_a_fit(const Camera& camera, double stretch, Diagnostics& diagnostics) {
-  constexpr double kNoLens = 300.0;
-  if (stretch <= kNoLens) return true;
+  constexpr double kLargestStretch = 300.0;
+  if (stretch <= kLargestStretch) return true;
   diagnostics.add(Code::kStretchOfNoLens, {camera.name, stretch});
   return false;
 }
 
-/// The full evaluation of a model, given its errors on the lattice.
+/// The full evaluation of a model. `lattice`: its errors on the lattice.
 ErrorStatistics final_statistics(const FitTask& task, const internal::Scorer& scorer, internal::Score lattice) {
   return internal::evaluate_all(scorer, std::move(lattice), {task.options.every_pixel, task.options.bound});
 }
 
-/// The angle [deg] up to which a model is scored whose fit is valid up to `max_angle_rad`.
+/// The angle [deg] from the axis up to which `model` is scored. `max_angle_rad`: the angle up to which its fit is valid.
 double scored_to_deg(const FitTask& task, const CameraModel& model, double max_angle_rad) {
   return std::min({task.field_of_view.max_angle_rad, max_angle_rad, max_angle(model)}) / kRadiansPerDegree;
 }
 
+/// Compares `model` with the camera, up to `max_angle_rad` from the axis.
 internal::Scorer scorer_of(const FitTask& task, const CameraModel& model, double max_angle_rad) {
   return {task.camera.model, &model, nullptr, task.field_of_view, max_angle_rad};
 }
 
-/// Is the image's every pixel surely scored where the target is the source?
+/// True if it is certain that every pixel of the image has a ray in the field of view. A conversion to the same camera is then
+/// scored at every pixel.
 bool is_surely_whole(const FitTask& task) {
   return !task.field_of_view.circle && task.field_of_view.why.code == Code::kFieldOfViewWholeImage &&
          is_surely_covered(task.camera.model, task.field_of_view.size);
 }
 
-/// Coverage without errors.
-ErrorStatistics whole_image(const FieldOfView& field_of_view) {
+/// The statistics of a conversion to the same camera: the whole image is scored, and all errors are 0.
+ErrorStatistics statistics_of_same_camera(const FieldOfView& field_of_view) {
   ErrorStatistics result;
   result.coverage.max_angle_deg = field_of_view.max_angle_rad / kRadiansPerDegree;
   result.coverage.why = field_of_view.why;
@@ -126,8 +131,8 @@ ErrorStatistics whole_image(const FieldOfView& field_of_view) {
   return result;
 }
 
-/// The conversion if the target can represent the source exactly (up to rounding); nullopt otherwise. Its report mentions no
-/// fit.
+/// The conversion without a fit; nullopt if the target cannot represent the source exactly (up to rounding), or not within the
+/// ranges and fixed values of the options.
 std::optional<Conversion> exact_conversion(const FitTask& task) {
   const std::optional<CameraModel> model = internal::convert_exactly(task.camera.model, task.target.id);
   if (!model || !within(*model, task.options.ranges) || !is_as_fixed(*model, task.options.fixed) || !validate(*model).empty())
@@ -137,7 +142,7 @@ std::optional<Conversion> exact_conversion(const FitTask& task) {
   conversion.report.exact = true;
   conversion.report.scored_to_deg = scored_to_deg(task, *model, std::numbers::pi);
   if (!task.options.errors_of_kept && *model == task.camera.model && is_surely_whole(task)) {
-    conversion.report.statistics = whole_image(task.field_of_view);
+    conversion.report.statistics = statistics_of_same_camera(task.field_of_view);
     return conversion;
   }
   const internal::Scorer scorer = scorer_of(task, *model, std::numbers::pi);
@@ -145,8 +150,8 @@ std::optional<Conversion> exact_conversion(const FitTask& task) {
   return conversion;
 }
 
-/// Replaces a least-squares fit by the camera near it with the smallest maximum error, if its maximum is smaller and it covers
-/// as much of the image.
+/// Searches near a least-squares fit for the camera with the smallest maximum error. Replaces the fit if that camera's maximum
+/// is smaller and if it covers as much of the image.
 void minimise_largest_error(const FitTask& task, double max_angle_rad, std::span<const ParameterRange> ranges,
                             Conversion& conversion) {
   using Clock = std::chrono::steady_clock;
@@ -169,8 +174,8 @@ void minimise_largest_error(const FitTask& task, double max_angle_rad, std::span
   model = fit.model;
 }
 
-/// The first fit with a proven error bound, or the first fit if none has one or no bound is requested. `statistics` receives
-/// its evaluation.
+/// The first fit for which an error bound can be proven. The first fit of all if there is no such fit, or if no bound is
+/// requested. `statistics` receives the evaluation of the chosen fit.
 internal::DegreeFit& choose_proven(const FitTask& task, std::vector<internal::DegreeFit>& fits, ErrorStatistics& statistics) {
   const auto evaluated = [&task](internal::DegreeFit& each) {
     const internal::Scorer scorer = scorer_of(task, each.fit.fitted.model->model, each.fit.fitted.max_angle_rad);
@@ -187,7 +192,7 @@ internal::DegreeFit& choose_proven(const FitTask& task, std::vector<internal::De
   return fits.front();
 }
 
-/// The best fitted conversion; nullopt, with an error, if the fit fails.
+/// The conversion by the best fit; nullopt, with an error, if the fit fails.
 std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& diagnostics) {
   std::vector<internal::DegreeFit> fits = internal::fit_degrees(task);
   const internal::SampledFit& first = fits.front().fit.fitted;
@@ -229,8 +234,8 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
   return conversion;
 }
 
-/// True if the weights are not an image, or an image of the camera's size that is not black on the whole field of view;
-/// otherwise false, with an error.
+/// False, with an error, if the weights are an image of another size than the camera's, or an image that is black at every
+/// pixel of the field of view.
 bool is_usable(const FitWeight& weight, const Camera& camera, const FieldOfView& field_of_view, Diagnostics& diagnostics) {
   if (weight.kind != WeightKind::kImage) return true;
   const ImageSize size = weight.density != nullptr ? ImageSize{weight.density->width, weight.density->height} : ImageSize{0, 0};
@@ -239,7 +244,7 @@ bool is_usable(const FitWeight& weight, const Camera& camera, const FieldOfView&
                                               field_of_view.size.height, Message{Code::kGiveCalibratedSize}});
     return false;
   }
-  if (internal::counts_any(*weight.density, camera.model, field_of_view)) return true;
+  if (internal::has_weight(*weight.density, camera.model, field_of_view)) return true;
   diagnostics.add(Code::kWeightsBlack, {camera.name});
   return false;
 }
@@ -250,7 +255,7 @@ std::optional<WeightedRms> weighted_error(const Camera& camera, const FitWeight&
   if (weight.kind == WeightKind::kPixel) return std::nullopt;
   const ConversionReport& report = conversion.report;
   if (internal::has_equal_weights(weight)) return WeightedRms{weight.kind, report.statistics.error.rms};
-  // Only scored rays count; the slack keeps the last ray of the field of view.
+  // The rms is over the scored rays. Without the slack, rounding could exclude the rays at the edge.
   constexpr double kSlack = 1.0 + 1e-9;
   const double max_angle_rad = kSlack * report.scored_to_deg * kRadiansPerDegree;
   const Transform* turn = report.turn ? &report.turn->T_target_source : nullptr;
@@ -258,8 +263,8 @@ std::optional<WeightedRms> weighted_error(const Camera& camera, const FitWeight&
                      internal::weighted_rms(weight, camera.model, conversion.camera.model, field_of_view, max_angle_rad, turn)};
 }
 
-/// True if the options are valid for a fit of `target`; otherwise false, with an error.
-bool usable(const ConvertOptions& options, const ModelInfo& target, Diagnostics& diagnostics) {
+/// True if the options are valid for a conversion to `target`; otherwise false, with an error.
+bool are_valid(const ConvertOptions& options, const ModelInfo& target, Diagnostics& diagnostics) {
   constexpr int kMostSamples = 100'000;
   if (options.samples < 1 || options.samples > kMostSamples) {
     diagnostics.add(Code::kSamplesInvalid, {kMostSamples});
@@ -279,9 +284,9 @@ bool usable(const ConvertOptions& options, const ModelInfo& target, Diagnostics&
     diagnostics.add(Code::kWeightedForRms);
     return false;
   }
-  std::vector<ParameterRange> asked = options.ranges;
-  asked.insert(asked.end(), options.fixed.at.begin(), options.fixed.at.end());
-  for (const ParameterRange& range : asked) {
+  std::vector<ParameterRange> ranges = options.ranges;
+  ranges.insert(ranges.end(), options.fixed.at.begin(), options.fixed.at.end());
+  for (const ParameterRange& range : ranges) {
     if (std::ranges::find(target.parameters, range.parameter.name(), &Parameter::name) == target.parameters.end()) {
       diagnostics.add(Code::kModelHasNoParameter, {target.id, range.parameter.name()});
       return false;
@@ -313,7 +318,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
     diagnostics.add(Code::kUnknownModel, {options.model});
     return std::nullopt;
   }
-  if (!usable(options, *target, diagnostics)) return std::nullopt;
+  if (!are_valid(options, *target, diagnostics)) return std::nullopt;
   const std::optional<ConvertOptions> fixed = internal::with_fixed(camera, *target, options, diagnostics);
   if (!fixed) return std::nullopt;
   if (!camera.rays.empty()) return internal::convert_table(camera, *target, *fixed, diagnostics);
@@ -322,14 +327,14 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   warn_of_odd_camera(camera, field_of_view->size, diagnostics);
   const LensCentre centre{central_focal_lengths(camera.model), principal_point(camera.model)};
   const double stretch = stretch_on_axis(camera.model);
-  ConvertOptions reasonable = within_reason(*fixed, stretch, *target);
+  ConvertOptions fit_options = without_search_if_stretched(*fixed, stretch, *target);
   if (!is_usable(options.weight, camera, *field_of_view, diagnostics)) return std::nullopt;
-  if (internal::has_equal_weights(options.weight)) reasonable.weight = {};
-  const FitTask task{camera, *target, reasonable, *field_of_view, centre};
+  if (internal::has_equal_weights(options.weight)) fit_options.weight = {};
+  const FitTask task{camera, *target, fit_options, *field_of_view, centre};
 
   std::optional<Conversion> conversion = exact_conversion(task);
   if (!conversion && internal::id_without_skew(target->id) != target->id) {
-    // A fit keeps the skew at 0, so that the model without skew is fitted.
+    // No fit has a skew as unknown. Fits the model without skew, and adds the skew 0.
     ConvertOptions straight = options;
     straight.model = internal::id_without_skew(target->id);
     conversion = convert(camera, straight, diagnostics);

@@ -13,6 +13,7 @@ namespace fca::internal {
 
 namespace {
 
+/// The exact steps from every model, as lib/models/exact_steps.h defines them.
 std::vector<ExactStep> all_steps() {
   std::vector<ExactStep> steps;
   ModelList::for_each([&steps]<class M>() {
@@ -24,21 +25,22 @@ std::vector<ExactStep> all_steps() {
   return steps;
 }
 
+/// True if one of the models has this id.
 template <CameraModelType... Ms>
 constexpr bool is_listed(std::string_view id, TypeList<Ms...> /*models*/) {
   return ((Ms::kId == id) || ...);
 }
 
 /// Converts a model without skew by the shortest chain of exact steps; nullopt if there is none.
-std::optional<CameraModel> chained(const CameraModel& source, std::string_view target_id) {
+std::optional<CameraModel> convert_by_steps(const CameraModel& source, std::string_view target_id) {
   static const std::vector<ExactStep> steps = all_steps();
   std::vector<CameraModel> reached = {source};
   for (std::size_t i = 0; i < reached.size(); ++i) {
     const std::string_view id = model_info(reached[i]).id;
     if (id == target_id) return reached[i];
     for (const ExactStep& step : steps) {
-      const auto is_there = [&step](const CameraModel& model) { return model_info(model).id == step.to; };
-      if (step.from != id || std::ranges::any_of(reached, is_there)) continue;
+      const auto has_target = [&step](const CameraModel& model) { return model_info(model).id == step.to; };
+      if (step.from != id || std::ranges::any_of(reached, has_target)) continue;
       if (const std::optional<CameraModel> next = step.convert(reached[i])) reached.push_back(*next);
     }
   }
@@ -65,7 +67,7 @@ std::optional<CameraModel> convert_exactly(const CameraModel& source, std::strin
   }
   if (skew_px != 0.0) return std::nullopt;
   if (straight != source) return convert_exactly(straight, target_id);
-  return chained(source, target_id);
+  return convert_by_steps(source, target_id);
 }
 
 std::optional<CameraModel> convert_nearly(const CameraModel& inner, std::string_view outer_id) {

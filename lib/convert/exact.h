@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Conversions between camera models without a fit.
 #pragma once
 
 #include <fca/models/camera_model.h>
@@ -8,19 +9,19 @@
 
 namespace fca::internal {
 
-/// For a model with a skew parameter (skewed.h), the id of the same model without skew; for any other, `id` itself.
+/// The id of the same model without skew, if the model `id` has a skew parameter (skewed.h). Otherwise `id` itself.
 [[nodiscard]] std::string_view id_without_skew(std::string_view id);
 
-/// The camera in another model, with the same pixel for every ray, by closed forms (lib/models/exact_steps.h). Nothing if there
-/// is no closed form for these parameters, so that a fit is needed.
+/// The same camera in another model: every ray has the same pixel (up to rounding). Uses the closed forms of
+/// lib/models/exact_steps.h. nullopt if there is no closed form for these parameters, so that a fit is needed.
 [[nodiscard]] std::optional<CameraModel> convert_exactly(const CameraModel& source, std::string_view target_id);
 
-/// The camera in a model that contains its model. If that model reaches it only in a limit (mei reaches ucm with alpha = 1 as
-/// xi grows without end), the camera at the bound that fits have there.
+/// The camera `inner` in the model `outer_id`, which contains the camera's model. mei contains ucm with alpha = 1 only in the
+/// limit of infinite xi: the result then has the largest xi that fits use, and is not exact. nullopt as for convert_exactly().
 [[nodiscard]] std::optional<CameraModel> convert_nearly(const CameraModel& inner, std::string_view outer_id);
 
-/// The model with the most parameters among those of which the model `id` can hold every camera (in mei, ucm with alpha = 1
-/// only nearly: convert_nearly). Empty if it contains no other.
+/// The largest model that the model `id` contains: each of its cameras is also a camera of the model `id` (for ucm in mei, see
+/// convert_nearly()). Empty if the model contains no other.
 [[nodiscard]] std::string_view contained_model(std::string_view id);
 
 }  // namespace fca::internal

@@ -22,7 +22,8 @@ namespace fca::internal {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-constexpr double kAheadDeg = 90.0;
+/// Perspective models have pixels only for rays at a smaller angle from the axis.
+constexpr double kPerspectiveLimitDeg = 90.0;
 
 using Table = std::vector<Correspondence>;
 
@@ -37,26 +38,28 @@ Table inside(const Table& table, double max_angle_rad) {
   return result;
 }
 
+/// The largest angle of a ray from the axis [rad].
 double largest_angle(const Table& table) {
   double largest = 0.0;
   for (const Correspondence& entry : table) largest = std::max(largest, angle_from_axis(entry.ray));
   return largest;
 }
 
-/// No lens sees further than this from its axis. A few such rays may be mistakes; a larger share means that the table is not
-/// one lens.
-constexpr double kFurthestDeg = 150.0;
-constexpr double kFewBehind = 0.02;
+/// The largest angle from the axis of a ray of a real lens.
+constexpr double kLargestLensDeg = 150.0;
+/// The largest share of rays beyond that angle that may be mistakes. With a larger share, the table is not one lens.
+constexpr double kLargestShareBeyondLens = 0.02;
 
-double share_behind(const Table& table) {
+/// The weighted share of rays further from the axis than kLargestLensDeg.
+double share_beyond_lens(const Table& table) {
   double share = 0.0;
   for (const Correspondence& entry : table)
-    share += angle_from_axis(entry.ray) > kFurthestDeg * kRadiansPerDegree ? entry.weight : 0.0;
+    share += angle_from_axis(entry.ray) > kLargestLensDeg * kRadiansPerDegree ? entry.weight : 0.0;
   return share;
 }
 
-/// The entries inside the image, the lens circle and the options' angle.
-Table of_field_of_view(const Camera& camera, const ConvertOptions& options) {
+/// The entries of the camera's table inside the image, the lens circle and the options' angle.
+Table entries_to_fit(const Camera& camera, const ConvertOptions& options) {
   Table table = camera.rays;
   if (camera.image_size) {
     const auto [width, height] = *camera.image_size;
@@ -71,27 +74,29 @@ Table of_field_of_view(const Camera& camera, const ConvertOptions& options) {
   return inside(table, options.max_angle_rad.value_or(std::numbers::pi));
 }
 
-/// A fit, and the angle up to which it is valid.
+/// A fit to a table.
 struct TableFit {
-  std::optional<FittedModel> model;
-  double max_angle_rad = std::numbers::pi;
-  std::size_t entries = 0;
-  int degree = 0;
+  std::optional<FittedModel> model;         ///< nullopt if the fit failed.
+  double max_angle_rad = std::numbers::pi;  ///< The angle up to which the model was fitted; pi if to all entries.
+  std::size_t entries = 0;                  ///< The number of entries to which it was fitted.
+  int degree = 0;                           ///< The polynomial's degree; 0 if the model has none to choose.
 };
 
 /// True if the fit describes its entries, by the rule in fit_field_of_view.h.
 bool describes(const FittedModel& fit, std::string_view target) {
-  constexpr double kLimitRms = 1.0;  // px
-  return fit.reaches_all && (!is_perspective(target) || fit.rms_px <= kLimitRms);
+  constexpr double kLargestRmsPx = 1.0;
+  return fit.reaches_all && (!is_perspective(target) || fit.rms_px <= kLargestRmsPx);
 }
 
+/// Fits the target to the whole table. If it does not describe all entries and the angle may be reduced, fits it up to the
+/// largest angle that it describes; without such an angle, returns the fit to the whole table.
 TableFit fit_table(const Table& table, const LensCentre& centre, const ModelInfo& target, const DegreeRanges& degree,
                    bool reduce_angle) {
   TableFit whole{fit_model(target.id, table, centre, degree.ranges), std::numbers::pi, table.size(), degree.degree};
   if (!reduce_angle || (whole.model && describes(*whole.model, target.id))) return whole;
   constexpr int kStepDeg = 5;
   const double furthest = largest_angle(table) / kRadiansPerDegree;
-  const double below = is_perspective(target.id) ? std::min(furthest, kAheadDeg) : furthest;
+  const double below = is_perspective(target.id) ? std::min(furthest, kPerspectiveLimitDeg) : furthest;
   for (int deg = static_cast<int>(std::ceil(below / kStepDeg) - 1.0) * kStepDeg; deg >= kStepDeg; deg -= kStepDeg) {
     const double max_angle_rad = deg * kRadiansPerDegree;
     const Table narrower = inside(table, max_angle_rad);
@@ -102,8 +107,8 @@ TableFit fit_table(const Table& table, const LensCentre& centre, const ModelInfo
   return whole;
 }
 
-/// The fit of the lowest degree that is nearly as good as the best one, among the degrees that cover as large an angle as the
-/// lowest does.
+/// The fit of the lowest degree that is nearly as good as the best one. Only degrees whose fits cover at least as large an
+/// angle as the lowest degree's are considered.
 TableFit fit_degrees_of_table(const Table& table, const LensCentre& centre, const ModelInfo& target,
                               const ConvertOptions& options) {
   std::vector<TableFit> fits;
@@ -133,8 +138,8 @@ std::optional<Conversion> convert_table(const Camera& camera, const ModelInfo& t
     diagnostics.add(Code::kRaysCountAlike, {camera.name});
     return std::nullopt;
   }
-  const Table table = of_field_of_view(camera, options);
-  if (const double share = share_behind(table); share > kFewBehind) {
+  const Table table = entries_to_fit(camera, options);
+  if (const double share = share_beyond_lens(table); share > kLargestShareBeyondLens) {
     diagnostics.add(Code::kRaysAllAround, {camera.name, 100.0 * share});
     return std::nullopt;
   }
@@ -168,8 +173,8 @@ std::optional<Conversion> convert_table(const Camera& camera, const ModelInfo& t
 
   Transform T_target_source;
   if (options.absorb_turn) {
-    const Table counted = inside(table, fit.max_angle_rad);
-    if (std::optional<TurnedFit> turned = fit_with_turn(*fit.model, counted, options.ranges)) {
+    const Table fitted = inside(table, fit.max_angle_rad);
+    if (std::optional<TurnedFit> turned = fit_with_turn(*fit.model, fitted, options.ranges)) {
       T_target_source = turned->T_target_source;
       report.turn = AbsorbedTurn{T_target_source, fit.model->rms_px, 0.0};
       conversion.camera.model = turned->fitted.model;

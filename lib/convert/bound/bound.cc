@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The search for an error bound. README.md has the derivation.
 #include "bound.h"
 
 #include "field.h"
@@ -13,29 +14,32 @@ namespace fca::internal {
 
 namespace {
 
-/// A cell is not divided further if its bound is at most this multiple of the largest error that was seen, or at most
-/// kNegligible px above it.
-constexpr double kGoodEnough = 1.01;
-constexpr double kNegligible = 2e-10;
-/// The largest remainder of a strip's polynomials, as a fraction of the largest error that was seen, and in px.
+/// A cell is not divided further if its bound is at most kGoodEnoughRatio times the largest known error, or if it exceeds this
+/// error by at most kNegligiblePx.
+constexpr double kGoodEnoughRatio = 1.01;
+constexpr double kNegligiblePx = 2e-10;
+/// A strip is narrow enough if the remainder of its polynomials is at most this fraction of the largest known error, or at most
+/// kNegligibleRemainderPx.
 constexpr double kRemainderShare = 0.005;
-constexpr double kNegligibleRemainder = 5e-11;
+constexpr double kNegligibleRemainderPx = 5e-11;
 
 using Vector = std::array<double, 2>;
 
-/// Faster than std::hypot. Correct for numbers that are far from overflow, or infinite. Its rounding error is smaller than the
-/// widenings below.
+/// The length of the vector (x, y). It is faster than std::hypot, and correct for numbers that are infinite or far from
+/// overflow. Its rounding error is smaller than the amounts that are added to all bounds below.
 double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
-/// A range of angles from the axis, centre +- half [rad], on which both models are polynomials.
+/// A range of angles from the axis, centre +- half [rad], on which polynomials replace both models.
 template <std::size_t N>
 struct Strip {
   double centre = 0.0;
   double half = 0.0;
-  Field<N> source;
-  Field<N> error;               ///< target - source
+  Field<N> source;              ///< The source's pixel.
+  Field<N> error;               ///< The target's pixel minus the source's.
   double series_rest_px = 0.0;  ///< The part of the error's remainder that does not shrink when the strip is divided.
+  /// An upper bound of the distance of the error vector from its polynomials [px].
   [[nodiscard]] double remainder() const { return length(error.remainder[0], error.remainder[1]); }
+  /// True if all remainders are finite.
   [[nodiscard]] bool finite() const {
     return std::isfinite(remainder()) && std::isfinite(source.remainder[0]) && std::isfinite(source.remainder[1]);
   }
@@ -43,13 +47,13 @@ struct Strip {
 
 /// A rectangle of rays: angles t +- dt [rad], relative to the strip's centre, and azimuths phi +- dphi [rad].
 struct Cell {
-  std::size_t strip = 0;
+  std::size_t strip = 0;  ///< The index of the strip that contains the cell.
   double t = 0.0;
   double dt = 0.0;
   double phi = 0.0;
   double dphi = 0.0;
-  double bound = 0.0;
-  bool split_angle = false;
+  double bound = 0.0;        ///< An upper bound of the error in the cell [px].
+  bool split_angle = false;  ///< The cell is to be divided along the angle; otherwise along the azimuth.
 };
 
 /// The harmonics of the azimuth and their first derivatives at a cell's centre, and their largest absolute values in the cell.
@@ -82,22 +86,23 @@ struct Harmonics {
   }
 };
 
-/// The tangent plane of a field at a cell's centre, and how far the field may be from that plane in the cell [px].
+/// The tangent plane of a field at a cell's centre, and bounds of the distance of the field from this plane in the cell. Both
+/// components of a pixel.
 struct Plane {
-  Vector value{};
-  Vector by_angle{};
-  Vector by_azimuth{};
-  Vector rest{};
-  Vector angle_rest{};  ///< The part of the rest that becomes smaller when dt is halved.
+  Vector value{};       ///< The value at the centre [px].
+  Vector by_angle{};    ///< The derivative with respect to the angle [px/rad].
+  Vector by_azimuth{};  ///< The derivative with respect to the azimuth [px/rad].
+  Vector rest{};        ///< The bound of the distance from the plane [px].
+  Vector angle_rest{};  ///< The part of `rest` that depends only on dt: the second-order term of the angle.
 
-  /// Upper bound in the cell of how fast the pixel moves with the angle [px/rad].
+  /// An upper bound, in the cell, of the length of the pixel's derivative with respect to the angle [px/rad].
   [[nodiscard]] double steepest(double dt) const {
     return length(std::abs(by_angle[0]) + 2.0 * angle_rest[0] / dt, std::abs(by_angle[1]) + 2.0 * angle_rest[1] / dt);
   }
 };
 
-/// The values and derivatives of a field's polynomials at one angle, t, and their bounds on t +- dt. The cells of all azimuths
-/// at that angle share them.
+/// The values and derivatives of a field's polynomials at an angle t, and their bounds on t +- dt. Cells with the same range of
+/// angles share them.
 template <std::size_t N>
 struct Radial {
   using PerHarmonic = std::array<std::array<double, N>, 2>;
@@ -126,6 +131,7 @@ struct Radial {
   }
 };
 
+/// The tangent plane of a field in a cell. `radial`, `harmonics`: those of the cell's angles and azimuths.
 template <std::size_t N>
 Plane plane_of(const Field<N>& field, const Radial<N>& radial, const Cell& cell, const Harmonics<N>& harmonics) {
   Plane plane;
@@ -151,7 +157,7 @@ Plane plane_of(const Field<N>& field, const Radial<N>& radial, const Cell& cell,
   return plane;
 }
 
-/// The radial coefficients of both fields of a strip.
+/// The values of the polynomials of both fields of a strip.
 template <std::size_t N>
 struct RadialPair {
   Radial<N> source;
@@ -159,7 +165,7 @@ struct RadialPair {
   RadialPair(const Strip<N>& strip, double t, double dt) : source(strip.source, t, dt), error(strip.error, t, dt) {}
 };
 
-/// Copies a form into one with more harmonics, which are 0.
+/// Copies a form into a form with more harmonics. The additional harmonics are 0.
 template <std::size_t N>
 PolarSeriesOf<N> widened(const PolarSeries& form) {
   PolarSeriesOf<N> wide;
@@ -170,7 +176,7 @@ PolarSeriesOf<N> widened(const PolarSeries& form) {
   return wide;
 }
 
-/// The search for the bound, with polar forms of N harmonics.
+/// Searches for the bound by dividing cells, with polar forms of N harmonics.
 template <std::size_t N>
 class Bounder {
   using Form = PolarSeriesOf<N>;
@@ -196,6 +202,7 @@ class Bounder {
     }
   }
 
+  /// Makes the search and returns its result.
   ErrorBound bound() {
     add_strips();
     while (!is_unbounded_ && !cells_.empty() && !(cells_.front().bound <= good_enough()) && result_.evaluations < budget_) {
@@ -210,40 +217,44 @@ class Bounder {
   }
 
  private:
-  /// Upper bound of the rounding error of max_angle(), which is an arc cosine for some models, near 180 degrees.
+  /// An upper bound [rad] of the rounding error of max_angle(), which for some models is an arc cosine near 180 degrees.
   static constexpr double kAngleSlack = 4e-8;
-  static constexpr double kFirstStrip = 0.12;      // rad
-  static constexpr double kWidestStrip = 0.25;     // rad
-  static constexpr double kNarrowestStrip = 3e-5;  // rad
-  static constexpr int kAzimuths = 8;
+  // Widths of strips [rad].
+  static constexpr double kFirstStrip = 0.12;
+  static constexpr double kWidestStrip = 0.25;
+  static constexpr double kNarrowestStrip = 3e-5;
+  static constexpr int kAzimuths = 8;  ///< The number of cells into which every strip is divided at first.
+  /// Half of the range of azimuths of these cells [rad], enlarged so that rounding leaves no gaps between them.
   static constexpr double kFirstWidth = std::numbers::pi / kAzimuths * (1.0 + 4.0 * kRoundOff);
-  /// By rounding, unproject() may return a ray for a border pixel although that ray's pixel is slightly outside.
+  /// The largest distance from the image of the pixel of a ray that unproject() returns for a pixel on the border, by rounding.
   static constexpr double kBorderSlack = 1e-6;  // px
-  /// Rounding error of a ray's direction. Near a fold of ocamcalib, where the angle hardly changes with the radius, the same
-  /// camera's pixel of the rounded ray may be 1e-7 px from the original pixel.
+  /// An upper bound of the rounding error of a ray's direction. Near a fold of ocamcalib, the image radius changes fast with
+  /// the angle, so that the pixel of a rounded ray may be 1e-7 px from the original pixel in the same camera.
   static constexpr double kRayRounding = 32.0 * kRoundOff;  // rad
 
-  [[nodiscard]] double good_enough() const { return std::max(kGoodEnough * result_.seen, result_.seen + kNegligible); }
+  /// A cell with at most this bound [px] is not divided further.
+  [[nodiscard]] double good_enough() const { return std::max(kGoodEnoughRatio * result_.seen, result_.seen + kNegligiblePx); }
 
-  /// Divides the angles into strips on which both models are polynomials of the required accuracy. The accuracy of each strip
-  /// sets the width of the next one.
+  /// Divides the range of angles into strips that are narrow enough for the polynomials. Adds the cells of each strip. The
+  /// accuracy of each strip determines the width of the next one.
   void add_strips() {
     double width = kFirstStrip;
     for (double from = 0.0; from < max_angle_ && !is_unbounded_;) {
       const double left = max_angle_ - from;
-      const bool spent = result_.evaluations >= budget_;
-      const double parts = spent ? 1.0 : std::ceil(left / width);
+      const bool is_over_budget = result_.evaluations >= budget_;
+      const double parts = is_over_budget ? 1.0 : std::ceil(left / width);
       const double to = parts > 1.0 ? from + left / parts : max_angle_;
       const Strip strip = make_strip(0.5 * (from + to), 0.5 * (to - from));
       result_.evaluations += kStripCost;
       const double fitting = fitting_share(strip);
       width = std::clamp(fitting * (to - from), kNarrowestStrip, kWidestStrip);
-      if (fitting < 1.0 && to - from > kNarrowestStrip && !spent) continue;
+      if (fitting < 1.0 && to - from > kNarrowestStrip && !is_over_budget) continue;
       add_cells(strip);
       from = to;
     }
   }
 
+  /// Adds the first cells of a strip: all its angles, and a part of the azimuths each.
   void add_cells(const Strip& strip) {
     strips_.push_back(strip);
     Cell cell;
@@ -256,25 +267,27 @@ class Bounder {
       add(cell, radial, first.harmonics);
     }
   }
-  /// Evaluating a strip takes as long as evaluating this many cells.
+  /// The number of cells whose evaluation takes as long as that of a strip.
   static constexpr int kStripCost = 50;
 
-  /// The factor by which a strip may be widened so that its truncation error still meets the limit; below 1 if the strip is too
-  /// wide. The truncation error grows like the width to the power of kOrder.
+  /// The largest factor by which the strip's width may change so that its truncation error still meets the limit. Less than 1
+  /// if the strip is too wide. The truncation error is proportional to the power kOrder of the width.
   [[nodiscard]] double fitting_share(const Strip& strip) const {
-    // If source and target are equal, only the steepness of the source matters, for the rounding of rays.
-    constexpr double kRough = 1e-3;  // px
+    // If source and target are equal, only the rounding of rays causes errors. They depend on the derivatives of the source,
+    // for which rough polynomials are enough.
+    constexpr double kRoughPx = 1e-3;
     const bool same = source_ == target_;
     const double truncation = same ? strip.source.truncation : strip.error.truncation;
-    const double allowed = same ? kRough : std::max(kNegligibleRemainder, kRemainderShare * result_.seen);
-    constexpr double kLeast = 0.25;
-    constexpr double kMost = 2.0;
-    constexpr double kSafe = 0.9;
-    const double share = kSafe * std::pow(allowed / truncation, 1.0 / static_cast<double>(kOrder));
-    if (!(truncation <= allowed)) return share > kLeast && share < kSafe ? share : kLeast;
-    return std::clamp(share, 1.0, kMost);
+    const double allowed = same ? kRoughPx : std::max(kNegligibleRemainderPx, kRemainderShare * result_.seen);
+    constexpr double kSmallestFactor = 0.25;
+    constexpr double kLargestFactor = 2.0;
+    constexpr double kSafety = 0.9;
+    const double share = kSafety * std::pow(allowed / truncation, 1.0 / static_cast<double>(kOrder));
+    if (!(truncation <= allowed)) return share > kSmallestFactor && share < kSafety ? share : kSmallestFactor;
+    return std::clamp(share, 1.0, kLargestFactor);
   }
 
+  /// Computes the fields of a strip, centre +- half [rad].
   [[nodiscard]] Strip make_strip(double centre, double half) const {
     const AngleSeries at_centre = angle_series({centre, 0.0});
     const AngleSeries over_strip = angle_series({centre, half * (1.0 + 4.0 * kRoundOff) + kUnderflow});
@@ -291,6 +304,7 @@ class Bounder {
     return strip;
   }
 
+  /// The polar form of a model for a series of angles.
   [[nodiscard]] static Form form_of(const CameraModel& model, const AngleSeries& angle) {
     return std::visit(
         [&]<class M>(const Intrinsics<M>& m) -> Form {
@@ -309,6 +323,7 @@ class Bounder {
         model);
   }
 
+  /// The form a - b.
   [[nodiscard]] static Form difference(const Form& a, const Form& b) {
     Form result = a;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -320,6 +335,7 @@ class Bounder {
     return result;
   }
 
+  /// Divides a cell into two halves, and adds these.
   void split(const Cell& cell) {
     Cell half = cell;
     (cell.split_angle ? half.dt : half.dphi) *= 0.5;
@@ -344,12 +360,13 @@ class Bounder {
     }
   }
 
-  /// Computes a cell's bound. Stores the cell for division, unless it lies outside the image or its circle, or its bound is
-  /// good enough.
+  /// Computes the bound of a cell. Adds the cell to those to be divided, unless it lies outside the image or the circle, or its
+  /// bound is good enough.
   void add(Cell cell, const RadialPair& radial, const Harmonics& harmonics) {
     ++result_.evaluations;
     const Strip& strip = strips_[cell.strip];
     const Plane source = plane_of(strip.source, radial.source, cell, harmonics);
+    // Drops the cell if none of its pixels lies in the image or in the circle.
     bool centre_inside = true;
     Vector spreads{};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -365,6 +382,7 @@ class Bounder {
       centre_inside = centre_inside && beyond <= 0.0;
     }
     const Plane error = plane_of(strip.error, radial.error, cell, harmonics);
+    // The largest squared error on the tangent plane, which is at one of the four corners of the cell.
     double corner = 0.0;
     for (const double side : {-1.0, 1.0}) {
       double square = 0.0;
@@ -379,25 +397,26 @@ class Bounder {
     }
     const double rounding = kRayRounding * (source.steepest(cell.dt) + error.steepest(cell.dt));
     cell.bound = (std::sqrt(corner) + length(error.rest[0], error.rest[1]) + rounding) * (1.0 + 1e-12);
-    // A NaN bound means that nothing is known.
+    // With a NaN bound, nothing is known about the error.
     if (!std::isfinite(cell.bound)) cell.bound = std::numeric_limits<double>::infinity();
     if (centre_inside) {
-      // However finely this cell is divided, a part of it lies in the image, and the strip's remainder is infinite for every
-      // part.
+      // A part of this cell lies in the image, however finely it is divided. If the strip's remainder is infinite, so is the
+      // bound of that part.
       is_unbounded_ = is_unbounded_ || !strip.finite();
-      const double surely = length(error.value[0], error.value[1]) - strip.remainder();
-      if (surely > result_.seen) {
-        result_.seen = surely;
+      const double certain = length(error.value[0], error.value[1]) - strip.remainder();
+      if (certain > result_.seen) {
+        result_.seen = certain;
         result_.seen_at = source.value;
       }
     }
-    // Dividing a cell does not help either if most of its bound is the remainder of its strip.
+    // If most of the bound is the remainder of the strip, dividing the cell would not make it much smaller.
     constexpr double kMostlyRemainder = 1.5;
     if (cell.bound <= std::max(good_enough() + strip.series_rest_px, kMostlyRemainder * strip.remainder()) &&
         std::isfinite(cell.bound)) {
       done_ = std::max(done_, cell.bound);
       return;
     }
+    // The cell is divided along the variable that contributes more to the bound.
     const double by_angle =
         length(error.by_angle[0], error.by_angle[1]) * cell.dt + 2.0 * length(error.angle_rest[0], error.angle_rest[1]);
     const double by_azimuth = length(error.by_azimuth[0], error.by_azimuth[1]) * cell.dphi +
@@ -409,24 +428,24 @@ class Bounder {
 
   const CameraModel& source_;
   const CameraModel& target_;
-  Vector last_;
-  double max_angle_;
+  Vector last_;       ///< The last pixel of the image, in its lower right corner.
+  double max_angle_;  ///< The largest angle of a ray for which there may be an error [rad].
   std::optional<LensCircle> circle_;
   int budget_;
-  /// One of the ranges of azimuths into which every strip is divided at first.
+  /// The azimuths of one of the cells into which every strip is divided at first.
   struct FirstCell {
     double phi;
     Harmonics harmonics;
   };
   std::vector<FirstCell> first_cells_;
   std::vector<Strip> strips_;
-  std::vector<Cell> cells_;    ///< A heap; the cell with the largest bound is first.
+  std::vector<Cell> cells_;    ///< The cells that may be divided: a heap with the largest bound first.
   double done_ = 0.0;          ///< The largest bound of the cells that are not divided further.
   bool is_unbounded_ = false;  ///< True if a strip with an infinite remainder reaches into the image: no bound exists.
   ErrorBound result_;
 };
 
-/// Upper bound of the rounding errors of unproject() and project() [px], which every measured error contains.
+/// An upper bound of the rounding errors of unproject() and project() [px], which every computed error contains.
 double rounding_of(const CameraModel& source, const CameraModel& target, const ImageSize& size) {
   constexpr double kRelative = 1e-13;  // the accuracy of radtan's inverse
   double pixels = static_cast<double>(size.width) + size.height;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A model's polar form (polar.h) over a strip of angles: polynomials with plain doubles as coefficients, and rigorous bounds of
-// how far the pixel can be from them.
+// A model's polar form (polar.h) over a strip of angles: polynomials with doubles as coefficients, and rigorous bounds of the
+// distance between the pixel and these polynomials.
 #pragma once
 
 #include "polar.h"
@@ -11,34 +11,38 @@
 
 namespace fca::internal {
 
+/// The coefficients of a polynomial; the coefficient of t^k has the index k.
 using Polynomial = std::array<double, kOrder>;
 
-/// A pixel as a function of angle and azimuth, over a strip of angles. For each image component and each harmonic of the
-/// azimuth there is a polynomial in t, the angle [rad] from the strip's centre. `remainder`: how far each component [px] may be
-/// from the sum of these, anywhere in the strip.
+/// A pixel (or a difference of two pixels) as a function of angle and azimuth, over a strip of angles. Component i of the pixel
+/// is the sum over j of the polynomial of[i][j] in t, the difference [rad] of the angle to that of the strip's centre, times
+/// harmonic j of the azimuth.
 template <std::size_t N>
 struct Field {
   std::array<std::array<Polynomial, N>, 2> of{};
-  /// Upper bound of the absolute third derivative of each polynomial in the strip.
+  /// An upper bound of the absolute third derivative of each polynomial in the strip.
   std::array<std::array<double, N>, 2> third{};
-  /// Number of coefficients of each polynomial up to the last that is not 0.
+  /// The number of coefficients of each polynomial up to the last one that is not 0.
   std::array<std::array<std::size_t, N>, 2> terms{};
+  /// An upper bound, for the whole strip, of the distance [px] of each component from its sum of polynomials.
   std::array<double, 2> remainder{};
-  /// The part of the remainder that is smaller on a narrower strip; the rest is rounding. Sum of both components [px].
+  /// The part of the remainder that becomes smaller on a narrower strip: all of it except rounding errors. The sum of both
+  /// components [px].
   double truncation = 0.0;
 };
 
-/// The number of coefficients of a polynomial up to the last that is not 0.
+/// The number of coefficients of a polynomial up to the last one that is not 0.
 inline std::size_t terms_of(const Polynomial& polynomial) {
   std::size_t terms = polynomial.size();
   while (terms > 0 && polynomial[terms - 1] == 0.0) --terms;
   return terms;
 }
 
-/// `centre`: the Taylor series at the strip's centre, whose coefficients become the polynomials. `strip`: the series with the
-/// whole strip as its centre (a ball); its last coefficient gives Lagrange's remainder, and its first one encloses the function
-/// over the strip. Where the remainder is infinite or larger than that enclosure, the polynomial is a constant and the
-/// enclosure its error.
+/// The field of a pixel over a strip. `centre`: the Taylor series at the strip's centre, whose coefficients become those of the
+/// polynomials. `strip`: the series whose centre is the whole strip, as a ball. Its last coefficient bounds the remainder
+/// (Lagrange), and its first one is a ball with all values in the strip. If the remainder is infinite or larger than the radius
+/// of that ball, the polynomial is the ball's midpoint instead and its remainder the ball's radius. `half`: half of the strip's
+/// width [rad].
 template <std::size_t N>
 Field<N> field_of(const PolarSeriesOf<N>& centre, const PolarSeriesOf<N>& strip, double half) {
   Field<N> field;

@@ -22,7 +22,8 @@ void add_tangential(PolarSeries& form, const double* p, double p1, double p2, co
   const Ball fx = exactly(p[0]);
   const Ball fy = exactly(p[1]);
   const Ball two{2.0, 0.0};
-  // m_x = ... + r^2 (2 p2 + p2 cos 2phi + p1 sin 2phi),  m_y = ... + r^2 (2 p1 - p1 cos 2phi + p2 sin 2phi)
+  // A point (m_x, m_y) of the normalised plane: m_x = ... + r^2 (2 p2 + p2 cos 2phi + p1 sin 2phi),  m_y = ... + r^2 (2 p1 - p1
+  // cos 2phi + p2 sin 2phi)
   form.set(0, 0, form.of[0][0] + two * fx * exactly(p2) * r2);
   form.set(0, 3, fx * exactly(p2) * r2);
   form.set(0, 4, fx * exactly(p1) * r2);

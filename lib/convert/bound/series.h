@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Taylor coefficients in balls: f(centre + t) = c_0 + c_1 t + ... + c_n t^n + ..., by the recurrences of automatic
-// differentiation of higher order (Moore 1966, "Interval Analysis", ch. 11).
+// Taylor series whose coefficients are balls: f(centre + t) = c_0 + c_1 t + ... + c_n t^n + ... The coefficients follow from
+// the recurrences of automatic differentiation of higher order (Moore 1966, "Interval Analysis", ch. 11).
 //
-// Computed at a point they are f's Taylor polynomial there. Computed at a centre that is itself a ball, c_n encloses
-// f^(n)(x) / n! for every x in it, which is Lagrange's remainder: together they enclose f on the ball.
+// If the centre is a point, the coefficients are those of f's Taylor polynomial there. If the centre is a ball with a radius,
+// c_n contains f^(n)(x) / n! for every x in the centre. c_n then bounds Lagrange's remainder of the polynomial of degree n - 1,
+// so that both series together bound f on the ball.
 #pragma once
 
 #include "ball.h"
@@ -13,16 +14,18 @@
 
 namespace fca::internal {
 
-/// The order of the remainder. For an error of 1e-9 px a strip may be about (1e-9 / 500)^(1 / n) of the distance to the lens's
-/// next singularity.
+/// The order n of the remainder. For a remainder of 1e-9 px, the width of a strip may be about (1e-9 / 500)^(1 / n) of the
+/// distance to the nearest singularity of the lens.
 inline constexpr std::size_t kOrder = 10;
 
+/// The coefficients c_0 to c_n, with n = kOrder.
 struct Series {
   std::array<Ball, kOrder + 1> c{};
   Ball& operator[](std::size_t k) { return c[k]; }
   const Ball& operator[](std::size_t k) const { return c[k]; }
 };
 
+/// The series of a constant function.
 inline Series constant(const Ball& value) {
   Series result;
   result[0] = value;
@@ -59,7 +62,7 @@ inline Series operator*(const Series& a, const Series& b) {
   return result;
 }
 
-/// a x, faster than a * x, where x = x_0 + t is the variable itself.
+/// The product of a and the variable x0 + t itself. It is faster than a product of two series.
 inline Series times_variable(const Series& a, const Ball& x0) {
   Series result;
   result[0] = a[0] * x0;
@@ -90,7 +93,7 @@ inline Series sqrt(const Series& a) {
   return result;
 }
 
-/// The function with the given derivative, and the given value at the centre.
+/// The series of the function with this derivative and with this value at the centre.
 inline Series integral(const Series& derivative, const Ball& value) {
   Series result;
   result[0] = value;
@@ -98,7 +101,7 @@ inline Series integral(const Series& derivative, const Ball& value) {
   return result;
 }
 
-/// sum of coefficients[k] x^k (Horner).
+/// The sum of coefficients[k] x^k (Horner).
 template <std::size_t N>
 Series polynomial(const std::array<double, N>& coefficients, const Series& x) {
   Series result = constant({coefficients[N - 1], 0.0});
@@ -106,13 +109,14 @@ Series polynomial(const std::array<double, N>& coefficients, const Series& x) {
   return result;
 }
 
-/// The angle from the axis as the variable, with its sine and cosine.
+/// The angle from the axis as the variable of series, with its sine and cosine.
 struct AngleSeries {
-  Ball at;
+  Ball at;  ///< The centre of the series [rad].
   Series sine;
   Series cosine;
 };
 
+/// The series with this centre [rad].
 inline AngleSeries angle_series(const Ball& at) {
   AngleSeries angle{at, {}, {}};
   const Ball sine = sin(at);

@@ -22,36 +22,38 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using internal::PixelJacobian;
 
+/// The samples of each camera.
 using Samples = std::vector<std::vector<Correspondence>>;
 
-/// The index of a camera's parameter among the unknowns: first the lens parameters, which all cameras share, then the other
-/// parameters of each camera.
-Index place_of(std::span<const Parameter> parameters, std::size_t parameter, std::size_t camera) {
+/// The index, among the unknowns of the fit, of a parameter of a camera. The unknowns are the lens parameters, which all
+/// cameras share, followed by the other parameters of each camera.
+Index unknown_of(std::span<const Parameter> parameters, std::size_t parameter, std::size_t camera) {
   Index lens = 0;
   Index own = 0;
-  Index place = 0;
+  Index in_group = 0;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     Index& count = parameters[i].group == ParameterGroup::kLens ? lens : own;
-    if (i == parameter) place = count;
+    if (i == parameter) in_group = count;
     ++count;
   }
   const bool is_common = parameters[parameter].group == ParameterGroup::kLens;
-  return is_common ? place : lens + static_cast<Index>(camera) * own + place;
+  return is_common ? in_group : lens + static_cast<Index>(camera) * own + in_group;
 }
 
+/// The number of unknowns of the fit: the lens parameters once, the others once for each camera.
 Index number_of_unknowns(std::span<const Parameter> parameters, std::size_t cameras) {
   const auto lens = std::ranges::count(parameters, ParameterGroup::kLens, &Parameter::group);
   const auto own = static_cast<Index>(parameters.size()) - lens;
   return lens + static_cast<Index>(cameras) * own;
 }
 
-/// The models with their parameters taken from `unknowns`.
-std::vector<CameraModel> models_of(std::span<const CameraModel> like, const double* unknowns) {
-  const std::span<const Parameter> parameters = model_info(like.front()).parameters;
-  std::vector<CameraModel> models(like.begin(), like.end());
+/// Copies of the models `start` whose parameters are taken from `unknowns`.
+std::vector<CameraModel> models_of(std::span<const CameraModel> start, const double* unknowns) {
+  const std::span<const Parameter> parameters = model_info(start.front()).parameters;
+  std::vector<CameraModel> models(start.begin(), start.end());
   for (std::size_t camera = 0; camera < models.size(); ++camera) {
     const std::span<double> values = parameter_values(models[camera]);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = unknowns[place_of(parameters, i, camera)];
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = unknowns[unknown_of(parameters, i, camera)];
   }
   return models;
 }
@@ -63,12 +65,12 @@ std::vector<double> unknowns_of(std::span<const CameraModel> models) {
   for (std::size_t camera = 0; camera < models.size(); ++camera) {
     const std::span<const double> values = parameter_values(models[camera]);
     for (std::size_t i = 0; i < values.size(); ++i)
-      unknowns[static_cast<std::size_t>(place_of(parameters, i, camera))] = values[i];
+      unknowns[static_cast<std::size_t>(unknown_of(parameters, i, camera))] = values[i];
   }
   return unknowns;
 }
 
-/// Sums the normal equations of all cameras. False if a model is not valid or a ray has no pixel.
+/// Adds up the normal equations of all cameras. False if a model is not valid or a ray has no pixel.
 bool sum_up(std::span<const CameraModel> models, const Samples& samples, internal::NormalEquations& sums) {
   const std::span<const Parameter> parameters = model_info(models.front()).parameters;
   const Index count = number_of_unknowns(parameters, models.size());
@@ -79,18 +81,20 @@ bool sum_up(std::span<const CameraModel> models, const Samples& samples, interna
     if (!jacobian) return false;
     MatrixXd columns = MatrixXd::Zero(jacobian->columns.rows(), count);
     for (std::size_t i = 0; i < parameters.size(); ++i)
-      columns.col(place_of(parameters, i, camera)) = jacobian->columns.col(static_cast<Index>(i));
+      columns.col(unknown_of(parameters, i, camera)) = jacobian->columns.col(static_cast<Index>(i));
     normal.add(columns, jacobian->residuals);
   }
   normal.put_into(sums);
   return true;
 }
 
+/// The result of one fit.
 struct Found {
   std::vector<CameraModel> models;
   double cost = std::numeric_limits<double>::infinity();
 };
-/// Minimises from models that already share their lens parameters; nullopt if a sample has no pixel at the start.
+
+/// Fits all cameras, from models that already share their lens parameters. nullopt if a sample has no pixel in these models.
 std::optional<Found> minimised(std::span<const CameraModel> start, const Samples& samples) {
   std::vector<double> unknowns = unknowns_of(start);
   const internal::Minimum minimum = internal::minimise(

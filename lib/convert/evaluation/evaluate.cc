@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// evaluate(), and the two stages of which it consists (stages.h).
 #include <fca/convert/evaluate.h>
 
 #include "lattice.h"
@@ -15,6 +16,7 @@ namespace internal {
 
 namespace {
 
+/// Evaluates every pixel of the image and adds it to `summary`.
 void add_pixels(const Scorer& scorer, Summary& summary) {
   const ImageSize& size = scorer.field_of_view().size;
   Batch batch;
@@ -33,32 +35,33 @@ void add_pixels(const Scorer& scorer, Summary& summary) {
   }
 }
 
-/// True if the error is near 0 except in a few places, where a lattice has too few points for its sums to be right. Scoring
-/// every pixel of a large image takes long, so that the maximum must then exceed the rms by more.
-bool is_steep(const ErrorSummary& error, const ImageSize& size) {
-  constexpr long long kSmall = 500'000;
-  constexpr long long kLarge = 2'000'000;
-  constexpr double kSteep = 15.0;
-  constexpr double kVerySteep = 100.0;
-  constexpr double kNobodySees = 1e-6;  // px
+/// True if the maximum is so much larger than the rms that the sums over a lattice may be wrong: it has too few points in the
+/// few places with large errors. The limit is higher for larger images, because evaluating every pixel of them takes long.
+bool has_sharp_maximum(const ErrorSummary& error, const ImageSize& size) {
+  constexpr long long kSmallImage = 500'000;          // pixels
+  constexpr long long kLargestImage = 2'000'000;      // pixels; larger images are never evaluated at every pixel here
+  constexpr double kLargestRatioInSmallImage = 15.0;  // of the maximum to the rms
+  constexpr double kLargestRatio = 100.0;             // the same in other images
+  constexpr double kNegligiblePx = 1e-6;
   const long long pixels = 1LL * size.width * size.height;
-  return pixels <= kLarge && error.max > kNobodySees && error.max > (pixels <= kSmall ? kSteep : kVerySteep) * error.rms;
+  return pixels <= kLargestImage && error.max > kNegligiblePx &&
+         error.max > (pixels <= kSmallImage ? kLargestRatioInSmallImage : kLargestRatio) * error.rms;
 }
 
-/// Replaces the error sums of the lattice by sums over all pixels. The coverage, which gives shares of the image, stays the
-/// lattice's.
+/// Replaces the error statistics of the lattice by those of all pixels. Keeps the coverage, the bound, and the maximum if it is
+/// larger than that of the pixels.
 void sum_over_pixels(const Scorer& scorer, ErrorStatistics& statistics) {
   constexpr int kBinsPerOctave = 64;
   Summary summary(kBinsPerOctave);
   add_pixels(scorer, summary);
   const ErrorStatistics pixels = summary.statistics(scorer.field_of_view());
   if (pixels.coverage.scored == 0.0) return;
-  const ErrorSummary polished = statistics.error;
+  const ErrorSummary before = statistics.error;
   statistics.error = pixels.error;
-  statistics.error.bound = polished.bound;
-  if (polished.max >= pixels.error.max) {
-    statistics.error.max = polished.max;
-    statistics.error.max_at = polished.max_at;
+  statistics.error.bound = before.bound;
+  if (before.max >= pixels.error.max) {
+    statistics.error.max = before.max;
+    statistics.error.max_at = before.max_at;
   }
   for (std::size_t i = 0; i < std::min(statistics.bands.size(), pixels.bands.size()); ++i) {
     statistics.bands[i].rms_px = pixels.bands[i].rms_px;
@@ -85,8 +88,8 @@ Score score_every_pixel(const Scorer& scorer) {
   coverage.outside_lens_pixels = summary.count(Verdict::kOutsideLens);
   coverage.unrepresentable_pixels = summary.count(Verdict::kUnrepresentable);
   // The largest error may lie between pixels, on the edge of a round field of view. The lattice has points on that edge.
-  const std::vector<Point> beside = score_on_lattice(scorer).worst;
-  score.worst.insert(score.worst.end(), beside.begin(), beside.end());
+  const std::vector<Point> between = score_on_lattice(scorer).worst;
+  score.worst.insert(score.worst.end(), between.begin(), between.end());
   std::ranges::sort(score.worst, std::ranges::greater{}, &Point::error);
   return score;
 }
@@ -95,7 +98,8 @@ ErrorStatistics evaluate_all(const Scorer& scorer, Score lattice, const Evaluate
   Score score = options.every_pixel ? score_every_pixel(scorer) : std::move(lattice);
   ErrorStatistics& statistics = score.statistics;
   find_maximum(scorer, score.worst, options.bound, statistics);
-  if (!options.every_pixel && is_steep(statistics.error, scorer.field_of_view().size)) sum_over_pixels(scorer, statistics);
+  if (!options.every_pixel && has_sharp_maximum(statistics.error, scorer.field_of_view().size))
+    sum_over_pixels(scorer, statistics);
   return std::move(score.statistics);
 }
 
@@ -103,6 +107,7 @@ ErrorStatistics evaluate_all(const Scorer& scorer, Score lattice, const Evaluate
 
 namespace {
 
+/// Both stages.
 ErrorStatistics evaluate_all(const internal::Scorer& scorer, const EvaluateOptions& options) {
   return internal::evaluate_all(scorer, options.every_pixel ? internal::Score() : internal::score_on_lattice(scorer), options);
 }

@@ -14,20 +14,20 @@ namespace fca::internal {
 
 namespace {
 
-/// At least so many points have an error: figures are then within 0.3 % of those of all pixels.
+/// The smallest number of scored points. Error statistics are then within 0.3 % of those over all pixels.
 constexpr std::size_t kFewestPoints = 4000;
 
-/// Small images: every pixel.
-void score_pixels(const ImageSize& size, LatticePoints& points) {
+/// Adds every pixel of a small image as a point.
+void add_all_pixels(const ImageSize& size, LatticePoints& points) {
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) points.add({static_cast<double>(x), static_cast<double>(y)}, 1.0);
   }
   points.finish();
 }
 
-/// Points on spokes that go from the principal point (or the image's pixel nearest to it) to points on the image's four sides.
-/// Sides and spokes are cut into pieces where the error or the verdict jumps; each piece has Gauss-Legendre nodes, whose
-/// weights are the areas that they stand for.
+/// Chooses points on spokes: lines from the principal point (or from the image's pixel nearest to it) to points on the image's
+/// four sides. Sides and spokes are cut into pieces where the verdict or the angle band changes. The points of a piece are
+/// Gauss-Legendre nodes, whose weights are the areas of the image that they stand for.
 class Lattice {
  public:
   Lattice(const Scorer& scorer, const LatticeSink& sink)
@@ -36,9 +36,10 @@ class Lattice {
     for (std::size_t i = 0; i < 2; ++i) centre_[i] = std::clamp(axis[i], 0.0, last()[i]);
   }
 
+  /// Chooses the points, evaluates them and passes them to the sink.
   void score() {
     add_sides();
-    cutter_.look_along(spokes_);
+    cutter_.sample_lines(spokes_);
     parts_.reserve(kUsualParts * spokes_.size());
     for (std::size_t i = 0; i < spokes_.size(); ++i) divide_spoke(i);
     const double density = find_density();
@@ -52,33 +53,37 @@ class Lattice {
   }
 
  private:
-  /// gauss_legendre(count), kept: finding it in its own table takes as long as some points.
+  /// The same as gauss_legendre(count), but faster: a look-up in its table takes as long as several points.
   const std::vector<Node>& nodes(int count) {
     const std::vector<Node>*& found = nodes_.at(static_cast<std::size_t>(count));
     if (found == nullptr) found = &gauss_legendre(count);
     return *found;
   }
 
+  /// The last pixel of the image, in its lower right corner.
   [[nodiscard]] Pixel last() const { return {size_.width - 1.0, size_.height - 1.0}; }
+  /// The collection to which the points of a piece belong.
   LatticePoints& points_of(const LineCutter::Piece& piece) { return piece.scored ? scored_ : unscored_; }
 
-  static constexpr std::size_t kUsualParts = 16;
+  static constexpr std::size_t kUsualParts = 16;  ///< The number of parts of a spoke for which memory is reserved.
 
+  /// Adds the points of the four sides, and the spokes that end there.
   void add_sides() {
     const auto [right, bottom] = last();
     const std::array<Line, 4> sides = {{{{0.0, 0.0}, {right, 0.0}},
                                         {{right, 0.0}, {right, bottom}},
                                         {{right, bottom}, {0.0, bottom}},
                                         {{0.0, bottom}, {0.0, 0.0}}}};
-    cutter_.look_along(sides);
+    cutter_.sample_lines(sides);
     for (std::size_t i = 0; i < sides.size(); ++i) {
       for (const LineCutter::Piece& piece : cutter_.pieces(i, sides[i])) add_piece_of_side(sides[i], piece);
       add_corner(sides[i].from);
     }
   }
 
-  /// A sum over the pixels of a line is the integral from the first to the last one and, at each end, f(end) / 2 +
-  /// (f(end) - f(next to the end)) / 12 (Euler and Maclaurin, with a difference for the derivative).
+  /// Weights of the first two pixels at each end of a line. The sum of f over the pixels of a line is the integral of f from
+  /// the first to the last pixel plus, at each end, f(end) / 2 + (f(end) - f(next to the end)) / 12 (the formula of Euler and
+  /// Maclaurin, with a difference instead of the derivative).
   static constexpr double kOutermost = 1.0 / 2.0 + 1.0 / 12.0;
   static constexpr double kNextToOutermost = -1.0 / 12.0;
 
@@ -89,6 +94,7 @@ class Lattice {
     return step;
   }
 
+  /// Adds the four pixels at a corner, with their weights along both sides.
   void add_corner(const Pixel& corner) {
     const auto [right, down] = inwards(corner);
     scored_.add(corner, kOutermost * kOutermost);
@@ -97,10 +103,11 @@ class Lattice {
     scored_.add({corner[0] + right, corner[1] + down}, kNextToOutermost * kNextToOutermost);
   }
 
-  /// Near a corner the error may grow tenfold within a fiftieth of a side: the parts there are short, with four nodes at least.
+  /// Cuts a piece of a side into parts and adds these. Near a corner the error may grow tenfold within 2 % of the side. So the
+  /// parts there are short and have at least four nodes each.
   void add_piece_of_side(const Line& side, const LineCutter::Piece& piece) {
     static constexpr std::array kCuts = {0.02, 0.1, 0.9, 0.98, 1.0};
-    constexpr double kEndOfMiddle = 0.9;
+    constexpr double kEndOfMiddle = 0.9;  // the part that ends here is the only one that is not near a corner
     double begin = piece.begin;
     for (const double cut : kCuts) {
       const double end = piece.scored ? std::min(cut, piece.end) : piece.end;
@@ -110,16 +117,16 @@ class Lattice {
     }
   }
 
-  /// Adds a spoke to each node of the part. The border's pixels reach half a pixel beyond the spokes' area: the weights added
-  /// here and at the corners make up for it, so that all weights together are the number of pixels.
+  /// Adds a spoke that ends at each node of the part. The spokes cover the area between the centres of the border's pixels, but
+  /// these pixels reach half a pixel further. The points added here and at the corners have the weight of the missing area.
   void add_part_of_side(const Line& side, const LineCutter::Piece& part, bool near_corner) {
-    constexpr double kSpokes = 64.0;
-    constexpr int kFewest = 3;
-    constexpr int kFewestNearCorner = 4;
+    constexpr double kSpokes = 64.0;  // in the whole image, except for the smallest numbers per part
+    constexpr int kFewestSpokes = 3;
+    constexpr int kFewestSpokesNearCorner = 4;
     const double length = part.share() * side.length();
     const double twice_area = part.share() * std::abs((side.from[0] - centre_[0]) * (side.to[1] - centre_[1]) -
                                                       (side.from[1] - centre_[1]) * (side.to[0] - centre_[0]));
-    const int fewest = part.scored && near_corner ? kFewestNearCorner : kFewest;
+    const int fewest = part.scored && near_corner ? kFewestSpokesNearCorner : kFewestSpokes;
     const double perimeter = 2.0 * (last()[0] + last()[1]);
     const int count = std::max(fewest, static_cast<int>(std::lround(kSpokes * length / perimeter)));
     for (const Node& node : gauss_legendre(count)) {
@@ -132,28 +139,29 @@ class Lattice {
     }
   }
 
-  /// A part of a spoke, with nodes of its own.
+  /// A part of a spoke. It has its own Gauss-Legendre nodes.
   struct Part {
-    double begin;  ///< 0: the spoke's centre, 1: the border.
-    double share;  ///< Of the spoke's length.
-    int fewest;    ///< Nodes.
+    double begin;  ///< As a fraction of the spoke's length: 0 at the centre, 1 at the border.
+    double share;  ///< The part's length, as a fraction of the spoke's length.
+    int fewest;    ///< The smallest number of nodes.
     bool scored;
-    bool last_of_scored;  ///< The next part of the spoke is not scored.
+    bool last_of_scored;  ///< The part is scored and ends inside the image; the next part of the spoke is not scored.
 
+    /// The number of nodes. `density`: the number for a whole spoke.
     [[nodiscard]] int nodes(double density) const {
       return std::max(fewest, 1 + static_cast<int>(std::min(density * share, kMostNodes - 1.0)));
     }
   };
   static constexpr int kMostNodes = 64;
 
-  /// Divides the pieces of a spoke in two. The error is often 0 at some angle from the axis and has a kink there; nodes at the
-  /// same angles on all spokes would then bias the mean. So each spoke is divided at another place.
+  /// Divides each scored piece of a spoke in two parts, at another fraction of the piece on each spoke. The error is often 0 at
+  /// some angle from the axis and has a kink there. With nodes at the same angles on all spokes, the kink would bias the mean.
   void divide_spoke(std::size_t i) {
     constexpr double kGoldenRatio = 0.6180339887498949;  // its multiples, modulo 1, are spread evenly
-    constexpr int kManyAtEdge = 6;                       // there errors bend the most
+    constexpr int kFewestAtEdge = 6;                     // the error has its largest curvature at the edge
     const int few = i % 2 == 0 ? 3 : 4;
-    const double turn = static_cast<double>(i) * kGoldenRatio;
-    const double shift = turn - std::floor(turn);
+    const double multiple = static_cast<double>(i) * kGoldenRatio;
+    const double shift = multiple - std::floor(multiple);
     const std::span<const LineCutter::Piece> pieces = cutter_.pieces(i, spokes_[i]);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const LineCutter::Piece& piece = pieces[k];
@@ -162,7 +170,7 @@ class Lattice {
         continue;
       }
       const bool at_edge = k + 1 == pieces.size() || !pieces[k + 1].scored;
-      const int fewest = at_edge ? kManyAtEdge : few;
+      const int fewest = at_edge ? kFewestAtEdge : few;
       const double share = (at_edge ? 0.55 + 0.3 * shift : 0.25 + 0.5 * shift) * piece.share();
       parts_.push_back({piece.begin, share, fewest, true, false});
       parts_.push_back({piece.begin + share, piece.share() - share, fewest, true, at_edge && piece.end < 1.0});
@@ -170,24 +178,24 @@ class Lattice {
     ends_.push_back(parts_.size());
   }
 
-  /// How many nodes a whole spoke has, so that kFewestPoints points are scored.
+  /// The number of nodes of a whole spoke with which at least kFewestPoints points are scored.
   [[nodiscard]] double find_density() const {
-    constexpr double kLeast = 20.0;
-    constexpr double kMost = 1e7;          // here every part has kMostNodes: of a tiny region there are fewer points
-    constexpr double kLeastGrowth = 1.25;  // parts at their least or most number of nodes do not grow with the density
+    constexpr double kSmallestDensity = 20.0;
+    constexpr double kLargestDensity = 1e7;   // then every part has kMostNodes, and a tiny scored region has fewer points
+    constexpr double kSmallestGrowth = 1.25;  // the search must end although some parts keep their number of nodes
     // One point of each spoke lies at the edge of the field of view and may turn out to be outside.
     const std::size_t fewest = kFewestPoints + spokes_.size();
-    double density = kLeast;
-    while (density < kMost) {
+    double density = kSmallestDensity;
+    while (density < kLargestDensity) {
       std::size_t points = scored_.added();
       for (const Part& part : parts_) points += part.scored ? static_cast<std::size_t>(part.nodes(density)) : 0;
       if (points >= fewest) break;
-      density *= std::max(kLeastGrowth, static_cast<double>(fewest) / static_cast<double>(points));
+      density *= std::max(kSmallestGrowth, static_cast<double>(fewest) / static_cast<double>(points));
     }
     return density;
   }
 
-  /// Adds the spoke's points; the scored ones as rows, since they lie on one line.
+  /// Adds the points of a spoke. The scored points are added as rows, since they lie on one line.
   void add_spoke(std::size_t i, std::span<const Part> parts, double density) {
     constexpr double kInsideEdge = 1e-6;
     std::array<double, Batch::kSize> places;
@@ -213,7 +221,7 @@ class Lattice {
         weights[count++] = area * node.weight * place;
       }
       if (!part.last_of_scored) continue;
-      // The largest error is often at the edge. This point counts for the maximum, not for the mean.
+      // The largest error is often at the edge. A point with the weight 0 there changes the maximum, but not the mean.
       places[count] = part.begin + part.share - kInsideEdge;
       weights[count++] = 0.0;
     }
@@ -221,25 +229,26 @@ class Lattice {
   }
 
   LatticePoints scored_;
-  LatticePoints unscored_;  ///< Kept apart, since batches whose points are all scored take less time.
+  LatticePoints unscored_;  ///< A collection of its own, since batches whose points are all scored take less time.
   LineCutter cutter_;
   ImageSize size_;
   Pixel centre_{};
   std::vector<Line> spokes_;
-  std::vector<double> twice_areas_;                               ///< px^2: the triangle that each spoke stands for, twice.
-  std::vector<Part> parts_;                                       ///< Of all spokes, one after the other.
-  std::vector<std::size_t> ends_;                                 ///< Where each spoke's parts end in parts_.
-  std::array<const std::vector<Node>*, kMostNodes + 1> nodes_{};  ///< By how many nodes there are.
+  std::vector<double> twice_areas_;  ///< Twice the area of the triangle that each spoke stands for [px^2].
+  std::vector<Part> parts_;          ///< The parts of all spokes, spoke by spoke.
+  std::vector<std::size_t> ends_;    ///< The index in parts_ after the last part of each spoke.
+  std::array<const std::vector<Node>*, kMostNodes + 1>
+      nodes_{};  ///< Nodes that nodes() has returned, by their number; null: not yet.
 };
 
 }  // namespace
 
 void score_lattice(const Scorer& scorer, const LatticeSink& sink) {
-  constexpr long long kPixels = 5000;  // about as many as the lattice has points
+  constexpr long long kSmallImage = 5000;  // the lattice has about as many points
   const ImageSize& size = scorer.field_of_view().size;
-  if (1LL * size.width * size.height <= kPixels) {
+  if (1LL * size.width * size.height <= kSmallImage) {
     LatticePoints points(scorer, sink);
-    score_pixels(size, points);
+    add_all_pixels(size, points);
   } else {
     Lattice(scorer, sink).score();
   }

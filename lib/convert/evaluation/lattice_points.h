@@ -11,12 +11,12 @@
 
 namespace fca::internal {
 
-/// Collects points; scores them and passes them to the sink as soon as they fill a batch.
+/// Collects points. Evaluates them and passes them to the sink as soon as they fill a batch.
 class LatticePoints {
  public:
   LatticePoints(const Scorer& scorer, const LatticeSink& sink) : scorer_(scorer), sink_(sink) {}
 
-  /// Adds a point that belongs to no row: its spread is 0.
+  /// Adds a single point, which stands only for its own error: its spread is 0.
   void add(const Pixel& pixel, double weight) {
     if (count_ == Batch::kSize) finish();
     batch_.u[count_] = pixel[0];
@@ -25,7 +25,8 @@ class LatticePoints {
     joined_[count_++] = 0.0;
     ++added_;
   }
-  /// Adds a row of points on a line. `places` are fractions of the line's length, from 0 to 1. At most Batch::kSize points.
+  /// Adds a row of at most Batch::kSize points on a line. `places`: fractions of the line's length, ascending from 0 to 1. The
+  /// errors of the neighbours in the row determine the spread of each point.
   void add_row(const Line& line, std::span<const double> places, std::span<const double> weights) {
     if (count_ + places.size() > Batch::kSize) finish();
     const double right = line.to[0] - line.from[0];
@@ -42,7 +43,7 @@ class LatticePoints {
     count_ += places.size();
     added_ += places.size();
   }
-  /// Scores the points of the unfinished batch and passes them to the sink.
+  /// Evaluates the points of the unfinished batch and passes them to the sink.
   void finish();
   /// The number of points added so far.
   [[nodiscard]] std::size_t added() const { return added_; }

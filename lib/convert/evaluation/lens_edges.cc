@@ -10,19 +10,20 @@ namespace fca::internal {
 
 namespace {
 
-/// Factors that keep points on an edge inside the field of view in spite of rounding. Where a lens folds, the radius hardly
-/// changes with the angle, so that an angle needs the larger margin there.
+/// Factors that keep points on an edge inside the field of view in spite of rounding: for angles and radii in general, and for
+/// the angle at which a lens folds. There the image radius hardly changes with the angle, so that the margin must be larger.
 constexpr double kInside = 1.0 - 1e-9;
 constexpr double kInsideFold = 1.0 - 1e-7;
 
-/// The angle from the axis [rad] up to which pixels are scored, less that margin.
+/// The angle from the axis [rad] up to which pixels are scored, less that margin for rounding.
 double scored_angle(const Scorer& scorer) {
   double fold = max_angle(*scorer.source().model());
   if (scorer.target() != nullptr) fold = std::min(fold, max_angle(*scorer.target()));
   return std::min(kInside * std::min(scorer.field_of_view().max_angle_rad, scorer.target_max_angle_rad()), kInsideFold * fold);
 }
 
-/// True if a corner of the image has no ray, or a ray beyond that angle. Angles are largest in the corners.
+/// True if a corner of the image has no ray or a ray beyond the angle: the edge at that angle then lies in the image, because
+/// angles are largest in the corners.
 bool ends_inside(const Scorer& scorer, double angle_rad) {
   const ImageSize& size = scorer.field_of_view().size;
   for (const double u : {0.0, size.width - 1.0}) {
@@ -48,16 +49,16 @@ std::vector<LensEdge> lens_edges(const Scorer& scorer) {
       const Ray ray = {std::sin(max_angle) * std::cos(azimuth), std::sin(max_angle) * std::sin(azimuth), std::cos(max_angle)};
       return in_image(project(*scorer.source().model(), ray));
     };
-    constexpr double kNear = 1e-5;
-    const double near = std::cos(max_angle) + kNear * (1.0 - std::cos(max_angle));
-    edges.push_back({at, [near](const Point& point) { return point.cosine < near; }});
+    constexpr double kMargin = 1e-5;  // as a fraction of the range of cosines inside the edge
+    const double largest_cosine = std::cos(max_angle) + kMargin * (1.0 - std::cos(max_angle));
+    edges.push_back({at, [largest_cosine](const Point& point) { return point.cosine < largest_cosine; }});
   }
   if (const std::optional<LensCircle>& circle = scorer.field_of_view().circle) {
     LensCircle inner = *circle;
     inner.radius_px *= kInside;
-    constexpr double kNear = 1e-3;  // px
+    constexpr double kMarginPx = 1e-3;
     edges.push_back({[in_image, inner](double azimuth) { return in_image(inner.rim(azimuth)); },
-                     [inner](const Point& point) { return inner.beyond(point.pixel) > -kNear; }});
+                     [inner](const Point& point) { return inner.beyond(point.pixel) > -kMarginPx; }});
   }
   return edges;
 }

@@ -16,7 +16,7 @@ namespace fca::internal {
 /// Compares the error in eight directions, with steps that shrink to 1e-3 px.
 Point climb(const Scorer& scorer, const Pixel& start) {
   constexpr double kFinestStep = 1e-3;      // px
-  constexpr std::size_t kMostPoints = 600;  // on a ring of nearly equal errors a climb would never end
+  constexpr std::size_t kMostPoints = 600;  // a climb along a ring of nearly equal errors would otherwise not end
   constexpr double kDiagonal = 0.7071067811865476;
   constexpr std::array<Pixel, 8> kDirections = {{{1, 0},
                                                  {-1, 0},
@@ -63,6 +63,7 @@ ErrorBand& band_of(const Point& point, std::vector<ErrorBand>& bands) {
   return bands[band];
 }
 
+/// Makes the point the maximum of `result` and of its angle band if its error is at least as large as the maximum so far.
 void keep_if_worse(const Point& point, ErrorStatistics& result) {
   if (point.verdict != Verdict::kScored || point.error < result.error.max) return;
   result.error.max = point.error;
@@ -72,9 +73,11 @@ void keep_if_worse(const Point& point, ErrorStatistics& result) {
   if (band.share == 0.0) band.rms_px = band.max_px;
 }
 
+/// The error of a point [px]; -1 if it is not scored.
 double error_of(const Point& point) { return point.verdict == Verdict::kScored ? point.error : -1.0; }
 
-/// Climbs along an edge from the azimuth [rad] of `top`, in steps of at first `step` [rad], to a local maximum of the error.
+/// Searches along an edge for a local maximum of the error, from the point `top` at the azimuth [rad]. `step`: the first step
+/// [rad].
 Point climb_along(const Scorer& scorer, const LensEdge& edge, double azimuth, double step, Point top) {
   constexpr double kFinest = 1e-5;  // rad
   while (step > kFinest) {
@@ -93,30 +96,31 @@ Point climb_along(const Scorer& scorer, const LensEdge& edge, double azimuth, do
   return top;
 }
 
-/// Bound on how far the error may rise above `here` between three neighbours on an edge. The top of a parabola is at most 1/8
-/// of the second difference higher; twice that is allowed. If a neighbour is not scored (negative), nothing is known, and the
-/// error may double.
-double possible_rise(double before, double here, double behind) {
-  constexpr double kNoParabola = 2.0;
-  if (before < 0.0 || behind < 0.0) return here;
-  return kNoParabola * 0.125 * std::abs(before - 2.0 * here + behind);
+/// An estimate of how far [px] the error may rise above `here`, the error of a point, between its two neighbours on an edge.
+/// The maximum of a parabola through three errors of which the middle one is largest is at most 1/8 of their second difference
+/// higher; the estimate is twice that. If a neighbour is not scored (negative), the error may double.
+double possible_rise(double before, double here, double after) {
+  constexpr double kSafety = 2.0;  // the error is no parabola
+  if (before < 0.0 || after < 0.0) return here;
+  return kSafety * 0.125 * std::abs(before - 2.0 * here + after);
 }
 
-/// The last point of an edge inside the image between an azimuth [rad] and its neighbour at azimuth + `step`.
+/// The last point of an edge that is inside the image, between `azimuth` [rad], which is inside, and azimuth + `step`. A point
+/// that is not scored if there is no such point.
 Point end_of_edge(const Scorer& scorer, const LensEdge& edge, double azimuth, double step) {
   constexpr double kFinest = 1e-9;  // rad
   Point last;
-  for (double way = 0.5 * step; std::abs(way) > kFinest; way *= 0.5) {
-    const std::optional<Pixel> pixel = edge.at(azimuth + way);
+  for (double move = 0.5 * step; std::abs(move) > kFinest; move *= 0.5) {
+    const std::optional<Pixel> pixel = edge.at(azimuth + move);
     if (!pixel) continue;
-    azimuth += way;
+    azimuth += move;
     last.pixel = *pixel;
     last.verdict = Verdict::kScored;
   }
   return last.verdict == Verdict::kScored ? scorer.at(last.pixel) : last;
 }
 
-/// Climbs from those points of an edge near which the error may be larger than the largest so far.
+/// Climbs from those points of an edge near which the error may be larger than the largest error found so far.
 void climb_edge(const Scorer& scorer, const LensEdge& edge, ErrorStatistics& result) {
   constexpr int kAzimuths = 120;
   constexpr double kSpacing = 2.0 * std::numbers::pi / kAzimuths;
@@ -129,10 +133,10 @@ void climb_edge(const Scorer& scorer, const LensEdge& edge, ErrorStatistics& res
   for (std::size_t i = 0; i < rim.size(); ++i) {
     const double here = error_of(rim[i]);
     const double before = error_of(rim[(i + rim.size() - 1) % rim.size()]);
-    const double behind = error_of(rim[(i + 1) % rim.size()]);
+    const double after = error_of(rim[(i + 1) % rim.size()]);
     if (here >= 0.0 && before < 0.0) keep_worse(end_of_edge(scorer, edge, kSpacing * static_cast<double>(i), -kSpacing));
-    if (here >= 0.0 && behind < 0.0) keep_worse(end_of_edge(scorer, edge, kSpacing * static_cast<double>(i), kSpacing));
-    if (here < std::max(before, behind) || here + possible_rise(before, here, behind) < highest) continue;
+    if (here >= 0.0 && after < 0.0) keep_worse(end_of_edge(scorer, edge, kSpacing * static_cast<double>(i), kSpacing));
+    if (here < std::max(before, after) || here + possible_rise(before, here, after) < highest) continue;
     keep_worse(climb_along(scorer, edge, kSpacing * static_cast<double>(i), 0.5 * kSpacing, rim[i]));
   }
   if (best.verdict != Verdict::kScored) return;
@@ -140,19 +144,20 @@ void climb_edge(const Scorer& scorer, const LensEdge& edge, ErrorStatistics& res
   keep_if_worse(climb(scorer, best.pixel), result);
 }
 
-/// Climbs from the points, the worst first. Omits points near an earlier start or its top, and points on an edge, which
-/// climb_edge() has searched.
+/// Climbs from at most `most` of the points, the worst first. Omits points near the start or the end of an earlier climb, and
+/// points on an edge, because climb_edge() has searched the edges.
 void climb_from(const Scorer& scorer, std::span<const Point> points, std::span<const LensEdge> edges, std::size_t most,
                 ErrorStatistics& result) {
   const ImageSize& size = scorer.field_of_view().size;
-  const double apart = std::max(size.width, size.height) / 20.0;
+  const double nearest = std::max(size.width, size.height) / 20.0;
   std::vector<Pixel> climbed;
   for (const Point& point : points) {
     if (climbed.size() >= most) return;
     if (std::ranges::any_of(edges, [&point](const LensEdge& edge) { return edge.passes(point); })) continue;
-    const bool known = std::ranges::any_of(
-        climbed, [&](const Pixel& other) { return std::hypot(point.pixel[0] - other[0], point.pixel[1] - other[1]) < apart; });
-    if (known) continue;
+    const bool searched = std::ranges::any_of(climbed, [&](const Pixel& other) {
+      return std::hypot(point.pixel[0] - other[0], point.pixel[1] - other[1]) < nearest;
+    });
+    if (searched) continue;
     climbed.push_back(point.pixel);
     const Point top = climb(scorer, point.pixel);
     climbed.push_back(top.pixel);
@@ -163,19 +168,19 @@ void climb_from(const Scorer& scorer, std::span<const Point> points, std::span<c
 }  // namespace
 
 /// Climbs along the edges of the scored region, which climb() cannot follow, and from the worst points. The search for the
-/// bound covers the whole field of view: the largest error that it meets is at most 1 % below the maximum, and one more climb
-/// from there finds that.
+/// bound then covers the whole field of view. The largest error that it meets is at most 1 % below the maximum, and a climb
+/// from there finds the maximum.
 void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove, ErrorStatistics& result) {
   if (worst.empty()) return;
-  constexpr std::size_t kAll = 12;
-  constexpr std::size_t kFew = 4;
+  constexpr std::size_t kClimbs = 12;
+  constexpr std::size_t kClimbsWithProof = 4;
   const CameraModel* source = scorer.source().model();
   const bool provable = prove && source != nullptr && scorer.target() != nullptr;
-  // A source that is no model has no known edge: the climbs end at it like anywhere else.
+  // The edges of a source that is no model are not known, so that there is no climb along them.
   std::vector<LensEdge> edges;
   if (source != nullptr) edges = lens_edges(scorer);
   for (const LensEdge& edge : edges) climb_edge(scorer, edge, result);
-  climb_from(scorer, worst, edges, provable ? kFew : kAll, result);
+  climb_from(scorer, worst, edges, provable ? kClimbsWithProof : kClimbs, result);
   if (!provable) return;
   const double climbed = result.error.max;
   const ErrorBound proof =
@@ -183,7 +188,7 @@ void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove
   if (proof.seen > climbed) {
     keep_if_worse(climb(scorer, proof.seen_at), result);
   }
-  // Rounding may put a measured error above the proven bound. It is an error all the same.
+  // By rounding, a measured error may be above the proven bound. The reported bound must not be smaller than it.
   result.error.bound = std::max(proof.bound, result.error.max);
 }
 

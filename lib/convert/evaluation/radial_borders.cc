@@ -13,14 +13,14 @@ namespace fca::internal {
 namespace {
 
 /// True if the azimuth of a pixel about the principal point depends only on the azimuth of its ray, not on the ray's angle from
-/// the axis. False for models without a polar form, of which that is not known.
+/// the axis. False for models without a polar form, for which this is not known.
 bool is_radial(const CameraModel& model) {
   return std::visit(
       []<class M>(const Intrinsics<M>& m) {
         if constexpr (HasPolarForm<M>) {
           PolarSeries form;
           M::polar_form(m.values.data(), angle_series({0.1, 0.0}), form);
-          // True if the centre moves with the angle, as with thin prism distortion.
+          // True if the curves have no common centre, as with thin prism distortion.
           const auto moves = [](const Series& centre) {
             return std::ranges::any_of(centre.c.begin() + 1, centre.c.end(), [](const Ball& c) { return c.mid != 0.0; });
           };
@@ -36,20 +36,21 @@ bool is_radial(const CameraModel& model) {
       model);
 }
 
+/// The pixel of the ray with this angle from the axis [rad] and this azimuth [rad].
 std::optional<Pixel> pixel_at(const CameraModel& model, double angle, double azimuth) {
   return project(model, {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle)});
 }
 
 }  // namespace
 
-LinePast::LinePast(const std::array<double, 2>& start, const std::array<double, 2>& way)
-    : inverse_square_(1.0 / (way[0] * way[0] + way[1] * way[1])),
-      nearest_(-(way[0] * start[0] + way[1] * start[1]) * inverse_square_) {
-  const double across = (way[0] * start[1] - way[1] * start[0]) * inverse_square_;
+LineAmongCircles::LineAmongCircles(const std::array<double, 2>& start, const std::array<double, 2>& direction)
+    : inverse_square_(1.0 / (direction[0] * direction[0] + direction[1] * direction[1])),
+      nearest_(-(direction[0] * start[0] + direction[1] * start[1]) * inverse_square_) {
+  const double across = (direction[0] * start[1] - direction[1] * start[0]) * inverse_square_;
   across_ = across * across;
 }
 
-LineSpan LinePast::inside(double radius) const {
+LineSpan LineAmongCircles::inside(double radius) const {
   const double square = radius * radius * inverse_square_ - across_;
   if (!(square > 0.0)) return {};
   const double half = std::sqrt(square);
@@ -86,7 +87,7 @@ std::array<double, 2> RadialBorders::in_plane(double right, double down) const {
   return {to_plane_[0] * right + to_plane_[1] * down, to_plane_[2] * right + to_plane_[3] * down};
 }
 
-LinePast RadialBorders::past(const Line& line) const {
+LineAmongCircles RadialBorders::among_circles(const Line& line) const {
   return {in_plane(line.from[0] - centre_[0], line.from[1] - centre_[1]),
           in_plane(line.to[0] - line.from[0], line.to[1] - line.from[1])};
 }

@@ -10,12 +10,12 @@ namespace fca::internal {
 
 namespace {
 
-/// Error [rad] allowed for a model's largest angle. Rays beyond it have no pixel, but project() of polynomials takes long to
-/// find that out. Only rays within this distance of the largest angle are left to project().
+/// The assumed error [rad] of max_angle(). Rays beyond a model's largest angle have no pixel, but project() of a polynomial
+/// model takes long to find this. So project() decides only for rays that are within this distance of the largest angle.
 constexpr double kLastAngleSlack = 1e-7;
 
-/// A cosine above that of every ray: no ray is then known to be scored before a closer look.
-constexpr double kNowhere = 2.0;
+/// A value of surely_scored_ with which no ray is certainly scored: it is larger than every cosine.
+constexpr double kAboveEveryCosine = 2.0;
 
 }  // namespace
 
@@ -25,17 +25,18 @@ Scorer::Scorer(Lens source, const CameraModel* model, const Projection* program,
       model_(model),
       program_(program),
       field_of_view_(field_of_view),
-      lens_(field_of_view.max_angle_rad),
+      field_of_view_limit_(field_of_view.max_angle_rad),
       max_angle_(target_max_angle_rad),
       surely_reached_(0.0),
-      surely_scored_(kNowhere) {
-  if (source_.model() != nullptr && validate(*source_.model()).empty()) rays_.emplace(*source_.model(), lens_.angle);
+      surely_scored_(kAboveEveryCosine) {
+  if (source_.model() != nullptr && validate(*source_.model()).empty())
+    rays_.emplace(*source_.model(), field_of_view_limit_.angle);
   if (model_ == nullptr) return;
   const double last = max_angle(*model_);
   max_angle_ = AngleLimit(std::min(target_max_angle_rad, last + kLastAngleSlack));
   surely_reached_ = AngleLimit(std::min(target_max_angle_rad, last - kLastAngleSlack));
-  if (validate(*model_).empty()) errors_.emplace(*model_, std::min(lens_.angle, surely_reached_.angle));
-  surely_scored_ = std::max(lens_.cosine, surely_reached_.cosine) + AngleLimit::kClose;
+  if (validate(*model_).empty()) errors_.emplace(*model_, std::min(field_of_view_limit_.angle, surely_reached_.angle));
+  surely_scored_ = std::max(field_of_view_limit_.cosine, surely_reached_.cosine) + AngleLimit::kClose;
 }
 
 void Scorer::find_rays(Batch& batch, std::size_t count) const {
@@ -59,11 +60,11 @@ bool Scorer::score(Batch& batch, std::size_t count) const {
     std::fill_n(batch.verdict.begin(), count, Verdict::kScored);
     return true;
   }
-  for (std::size_t i = 0; i < count; ++i) batch.verdict[i] = look_closer(batch, i);
+  for (std::size_t i = 0; i < count; ++i) batch.verdict[i] = verdict_of(batch, i);
   return false;
 }
 
-Verdict Scorer::look_closer(Batch& batch, std::size_t i) const {
+Verdict Scorer::verdict_of(Batch& batch, std::size_t i) const {
   const Pixel pixel = {batch.u[i], batch.v[i]};
   if (batch.z[i] == kNoRay || !field_of_view_.is_lit(pixel)) return Verdict::kOutsideLens;
   const bool computed = std::isfinite(batch.z[i]);
@@ -75,7 +76,7 @@ Verdict Scorer::look_closer(Batch& batch, std::size_t i) const {
     batch.z[i] = (*ray)[2];
   }
   const Ray ray = {batch.x[i], batch.y[i], batch.z[i]};
-  if (!lens_.admits(ray)) return Verdict::kOutsideLens;
+  if (!field_of_view_limit_.admits(ray)) return Verdict::kOutsideLens;
   if (computed && surely_reached_.surely_admits(ray[2]) && std::isfinite(batch.error[i])) return Verdict::kScored;
   if (!max_angle_.admits(ray)) return Verdict::kUnrepresentable;
   const std::optional<Pixel> image = model_ != nullptr ? project(*model_, ray) : (*program_)(ray);

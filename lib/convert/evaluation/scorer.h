@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// For many pixels of a source camera at a time: how far from each [px] the target images the pixel's ray.
+// The error [px] at pixels of a source camera: the distance between the pixel and the target's pixel of the same ray. Many
+// pixels are evaluated at a time.
 #pragma once
 
 #include "../../models/kernels/batch.h"
@@ -12,8 +13,8 @@
 
 namespace fca::internal {
 
-/// Compares a source with a target in a field of view of pixels and angles. A batch kernel answers most pixels; the models
-/// themselves answer those about which it is not sure.
+/// Compares a source with a target in a field of view. Batch kernels (models/kernels) evaluate most pixels. Where a kernel is
+/// not certain, the models themselves are used.
 class Scorer {
  public:
   /// The target is `model` or `program`; the other is null. The target and `field_of_view` must outlive the scorer.
@@ -21,13 +22,15 @@ class Scorer {
   Scorer(Lens source, const CameraModel* model, const Projection* program, const FieldOfView& field_of_view,
          double target_max_angle_rad);
 
-  /// Fills in error, cosine and verdict of the first `count` points. Each call chooses the models' code once, so give it many
-  /// points. True if the kernel alone found that all are scored.
+  /// Computes the ray, the error and the verdict of the first `count` points of the batch. True if the kernel alone found that
+  /// all of them are scored. A call with many points is faster per point.
   bool score(Batch& batch, std::size_t count) const;
+  /// Computes the error, the cosine and the verdict of the points.
   void score(std::span<Point> points) const;
-  /// Only the source's rays. Their z is kNoRay where the pixel is certainly outside the field of view, kAskModel where the
-  /// kernel is not sure (models/kernels/rays.h).
+  /// Computes only the source's rays. Their z is kNoRay if the pixel is certainly outside the field of view, and kAskModel if
+  /// the kernel is not certain (models/kernels/rays.h).
   void find_rays(Batch& batch, std::size_t count) const;
+  /// The error at one pixel.
   [[nodiscard]] Point at(const Pixel& pixel) const;
 
   [[nodiscard]] const Lens& source() const { return source_; }
@@ -37,20 +40,19 @@ class Scorer {
   [[nodiscard]] double target_max_angle_rad() const { return max_angle_.angle; }
 
  private:
-  /// The verdict of one point, with the models' answers where the kernel had none.
-  [[nodiscard]] Verdict look_closer(Batch& batch, std::size_t i) const;
-  [[nodiscard]] std::optional<Pixel> image_of(const Ray& ray) const;
+  /// The verdict of point i of the batch. Computes its ray and error with the models themselves if the kernels did not.
+  [[nodiscard]] Verdict verdict_of(Batch& batch, std::size_t i) const;
 
   Lens source_;
   const CameraModel* model_;
   const Projection* program_;
   const FieldOfView& field_of_view_;
-  AngleLimit lens_;
-  AngleLimit max_angle_;
-  AngleLimit surely_reached_;      ///< Rays within it are certainly in the target's domain.
-  double surely_scored_;           ///< If the cosine of a ray's angle is larger, the ray is within lens_ and surely_reached_.
-  std::optional<BatchRays> rays_;  ///< Nothing if the source is no valid camera model.
-  std::optional<BatchErrors> errors_;  ///< Nothing if the target is no valid camera model.
+  AngleLimit field_of_view_limit_;  ///< The field of view's largest angle.
+  AngleLimit max_angle_;            ///< The target has no pixel for rays beyond this angle.
+  AngleLimit surely_reached_;       ///< The target certainly has a pixel for rays within this angle.
+  double surely_scored_;  ///< Rays whose angle has a larger cosine are certainly scored, unless the field of view has a circle.
+  std::optional<BatchRays> rays_;      ///< The kernel of the source; nullopt if the source is no valid camera model.
+  std::optional<BatchErrors> errors_;  ///< The kernel of the target; nullopt if the target is no valid camera model.
 };
 
 }  // namespace fca::internal

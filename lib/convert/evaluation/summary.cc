@@ -12,12 +12,13 @@ namespace fca::internal {
 
 namespace {
 
-/// Above every cosine; its negative is below every cosine.
+/// A number above every cosine. Its negative is below every cosine.
 constexpr double kAnyCosine = 2.0;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-// Errors outside 2^-60 .. 2^20 px are counted in the first or the last bin.
+// The bins hold errors from 2^-60 to 2^20 px. The first and the last bin also hold smaller and larger errors.
 constexpr int kSmallestOctave = -60;
 constexpr int kOctaves = 80;
+// The layout of a double.
 constexpr int kMantissaBits = 52;
 constexpr int kExponentBias = 1023;
 
@@ -31,8 +32,8 @@ Summary::Summary(int bins_per_octave)
   band_cosine_.back() = -kAnyCosine;
 }
 
-/// The leading bits of a double (its exponent and the first bits of its mantissa) number bins of nearly equal ratio, without
-/// the cost of a logarithm.
+/// The number of a bin consists of the leading bits of the error: its exponent and the first bits of its mantissa. So the ratio
+/// of the largest to the smallest error is nearly the same in all bins, and no logarithm is needed.
 void Summary::find_bins(const Batch::Lane& errors, std::size_t count, BinOfPoints& found) const {
   const int shift = kMantissaBits - bin_bits_;
   const auto first = static_cast<std::int32_t>((kExponentBias + kSmallestOctave) << bin_bits_);
@@ -96,7 +97,7 @@ void Summary::add_pixels(const Batch& batch, std::size_t count) {
   find_bins(batch.error, count, bin);
   Bin* const bins = bins_.data();
   add_bands(batch, count, [&](std::size_t begin, std::size_t end, Band& sums) {
-    // In the order in which add() rounds.
+    // Adds twice half of the error, because add() does, so that both round in the same way.
     double sum = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
       const double error = batch.error[i];
@@ -127,8 +128,7 @@ void Summary::add_bands(const Batch& batch, std::size_t count, const AddPoints& 
   }
 }
 
-/// Adds consecutive scored points that are in the band of the first one, number `begin`, and returns the index after the last
-/// of them. Neighbours are mostly in one band, so that this runs in long loops.
+/// Neighbours are mostly in the same band, so that the loops over points are long.
 template <class AddPoints>
 std::size_t Summary::add_band(const Batch& batch, std::size_t begin, std::size_t count, const AddPoints& add_points) {
   const std::size_t at = band_of(batch.z[begin]);
@@ -183,7 +183,7 @@ ErrorStatistics Summary::statistics(const FieldOfView& field_of_view) const {
   result.coverage.max_angle_deg = field_of_view.max_angle_rad / kRadiansPerDegree;
   result.coverage.why = field_of_view.why;
   result.coverage.circle = field_of_view.circle;
-  // From pixels to shares of the image, which sum to 1.
+  // Divides weights, in pixels, by their sum: the results are shares of the image.
   const double scored = weight(Verdict::kScored);
   const double outside = weight(Verdict::kOutsideLens);
   const double unrepresentable = weight(Verdict::kUnrepresentable);

@@ -15,9 +15,9 @@ ErrorStatistics evaluate_turned(const CameraModel& source, const CameraModel& ta
   return evaluate_all(scorer, score_on_lattice(scorer), {every_pixel, false});
 }
 
-bool reaches_as_much(const ErrorStatistics& before, const ErrorStatistics& after) {
-  constexpr double kNoticeable = 1e-3;
-  return after.coverage.scored >= before.coverage.scored - kNoticeable;
+bool covers_as_much(const ErrorStatistics& before, const ErrorStatistics& after) {
+  constexpr double kLargestLoss = 1e-3;
+  return after.coverage.scored >= before.coverage.scored - kLargestLoss;
 }
 
 }  // namespace fca::internal

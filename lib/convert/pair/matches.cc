@@ -19,8 +19,9 @@ using Eigen::Vector3d;
 
 Vector3d vector_of(const std::array<double, 3>& ray) { return {ray[0], ray[1], ray[2]}; }
 
-/// The camera's pixel of a unit ray; nullopt if that is outside the camera's domain or its fit has no pixel there.
-std::optional<Pixel> counted_pixel(const CameraOfPair& of_pair, const Vector3d& ray) {
+/// The camera's pixel of a unit ray; nullopt if the ray is not in its field of view, or if the model with which the fit starts
+/// has no pixel for it.
+std::optional<Pixel> usable_pixel(const CameraOfPair& of_pair, const Vector3d& ray) {
   if (std::atan2(std::hypot(ray[0], ray[1]), ray[2]) > of_pair.field_of_view.max_angle_rad) return std::nullopt;
   const Ray direction = {ray[0], ray[1], ray[2]};
   if (!project(*of_pair.start, direction)) return std::nullopt;
@@ -28,8 +29,8 @@ std::optional<Pixel> counted_pixel(const CameraOfPair& of_pair, const Vector3d& 
   return pixel && of_pair.field_of_view.size.holds(*pixel) && of_pair.field_of_view.is_lit(*pixel) ? pixel : std::nullopt;
 }
 
-/// The derivatives, by u and v, of the component along `normal` of a pixel's unit ray [1/px]; nullopt if a neighbour has no
-/// ray.
+/// The derivatives with respect to u and v [1/px] of the component along `normal` of a pixel's unit ray; nullopt if a point
+/// next to the pixel has no ray.
 std::optional<Eigen::RowVector2d> derivative_along(const CameraModel& model, const Pixel& pixel, const Vector3d& normal) {
   constexpr double kStep = 0.25;  // px
   Eigen::RowVector2d derivative;
@@ -46,8 +47,8 @@ std::optional<Eigen::RowVector2d> derivative_along(const CameraModel& model, con
   return derivative;
 }
 
-/// The row coordinate in a pair of rectified images [px, at the scale of the middle of the source images]; the column
-/// coordinate if one camera is above the other.
+/// Computes rows in a pair of rectified images [px], or columns if one camera is above the other. The focal length is the mean
+/// of the cameras' focal lengths at their axes.
 class Rows {
  public:
   Rows(const std::array<CameraOfPair, 2>& cameras, const RectifyingRotations& rotations)
@@ -57,7 +58,7 @@ class Rows {
       focal_length_ += 0.5 * central_focal_lengths(each.camera->model).at(static_cast<std::size_t>(across_));
   }
 
-  /// Derivative of the row by a camera's unit ray; nullopt if the ray is too far from the rectified axis.
+  /// The derivative of the row with respect to a camera's unit ray [px]; nullopt if the ray is too far from the rectified axis.
   [[nodiscard]] std::optional<Vector3d> derivative(std::size_t camera, const Vector3d& ray) const {
     const Vector3d rectified = R_rectified_camera_.at(camera) * ray;
     const double depth = rectified[2];
@@ -72,9 +73,11 @@ class Rows {
   double focal_length_ = 0.0;
 };
 
+/// Adds to `matches` a point with the entry `first` of the first camera and the unit ray `seen` of the second, unless a camera
+/// cannot use it.
 void add_match(const std::array<CameraOfPair, 2>& cameras, const Rows& rows, const Correspondence& first, const Vector3d& seen,
                Matches& matches) {
-  const std::optional<Pixel> pixel = counted_pixel(cameras[1], seen);
+  const std::optional<Pixel> pixel = usable_pixel(cameras[1], seen);
   const std::optional<Vector3d> first_derivative = rows.derivative(0, vector_of(first.ray));
   const std::optional<Vector3d> second_derivative = rows.derivative(1, seen);
   if (!pixel || !first_derivative || !second_derivative) return;

@@ -32,28 +32,29 @@ using internal::CameraOfPair;
 using internal::Matches;
 using internal::PixelJacobian;
 
-/// The weight of a row difference of one pixel, relative to a camera's error of one pixel.
+/// The weight of a row difference of 1 px in the fit, relative to a pixel error of 1 px in one camera.
 constexpr double kWeightOfRows = 3.0;
 
-/// The unknowns of one camera: parameters that a fit may change, then rotation angles. `first`: index of the first among all
-/// unknowns.
+/// The unknowns of one camera: first the parameters that the fit may change, then rotation angles.
 struct Unknowns {
-  std::vector<Index> parameters;
-  Index angles = 0;
-  Index first = 0;
+  std::vector<Index> parameters;  ///< The indices of these parameters in the model.
+  Index angles = 0;               ///< The number of rotation angles.
+  Index first = 0;                ///< The index of the camera's first unknown among those of both cameras.
 
   [[nodiscard]] Index count() const { return static_cast<Index>(parameters.size()) + angles; }
 };
 
-/// A camera during the fit. `angles`: rotation vector [rad].
+/// A camera during the fit.
 struct State {
   CameraModel model;
-  Eigen::Vector3d angles = Eigen::Vector3d::Zero();
+  Eigen::Vector3d angles = Eigen::Vector3d::Zero();  ///< Rotation vector [rad].
 
   /// T_target_source: a rotation that takes rays of the source to rays of the fitted camera.
   [[nodiscard]] Transform turn() const { return internal::transform_of(internal::rotation_by(angles)); }
 };
 
+/// The fit of both cameras: the pixel errors of each and the row differences between them, as least squares. `turns`: the fit
+/// also rotates the cameras.
 class Problem {
  public:
   Problem(const std::array<SeparateFit, 2>& fits, const std::array<CameraOfPair, 2>& cameras, const Matches& matches,
@@ -67,7 +68,7 @@ class Problem {
     }
   }
 
-  /// Minimises the sum of squares from `start`; nullopt if a sample has no pixel there.
+  /// Minimises the sum of squares, starting at `start`. nullopt if a sample has no pixel in the models of `start`.
   [[nodiscard]] std::optional<std::array<State, 2>> solve(const std::array<State, 2>& start) const {
     std::vector<double> unknowns = unknowns_of(start);
     const internal::Minimum minimum = internal::minimise(
@@ -80,6 +81,7 @@ class Problem {
  private:
   [[nodiscard]] Index count() const { return unknowns_[0].count() + unknowns_[1].count(); }
 
+  /// The unknowns of both cameras as one list.
   [[nodiscard]] std::vector<double> unknowns_of(const std::array<State, 2>& states) const {
     std::vector<double> values;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -91,8 +93,9 @@ class Problem {
     return values;
   }
 
-  [[nodiscard]] std::array<State, 2> states_of(const std::array<State, 2>& like, const double* at) const {
-    std::array<State, 2> states = like;
+  /// Copies of the states `start` with the unknowns taken from `at`.
+  [[nodiscard]] std::array<State, 2> states_of(const std::array<State, 2>& start, const double* at) const {
+    std::array<State, 2> states = start;
     for (std::size_t i = 0; i < 2; ++i) {
       const std::span<double> parameters = parameter_values(states.at(i).model);
       for (const Index each : unknowns_.at(i).parameters) parameters[static_cast<std::size_t>(each)] = *at++;
@@ -101,7 +104,8 @@ class Problem {
     return states;
   }
 
-  /// The residuals of one camera's rays, and their derivatives by this camera's unknowns; nullopt if a ray has no pixel.
+  /// The residuals of one camera's samples, and their derivatives with respect to this camera's unknowns. nullopt if a sample
+  /// has no pixel.
   [[nodiscard]] std::optional<PixelJacobian> derivatives(std::size_t i, const State& state,
                                                          std::span<const Correspondence> samples) const {
     const Unknowns& unknowns = unknowns_.at(i);
@@ -115,7 +119,7 @@ class Problem {
     return own;
   }
 
-  /// Converts one camera's pixel residuals, or columns of their Jacobian, to row differences of the matches.
+  /// Converts one camera's pixel residuals for the matches, or columns of their Jacobian, to changes of the row differences.
   [[nodiscard]] MatrixXd rows_of(std::size_t i, const Eigen::Ref<const MatrixXd>& numbers) const {
     const auto count = static_cast<Index>(matches_.derivatives.at(i).size());
     MatrixXd rows(count, numbers.cols());
@@ -126,7 +130,7 @@ class Problem {
     return rows;
   }
 
-  /// Sums the normal equations. False if a state is not valid or outside its ranges, or a ray has no pixel.
+  /// Adds up the normal equations. False if a model is not valid or outside its ranges, or if a ray has no pixel.
   [[nodiscard]] bool sum_up(const std::array<State, 2>& states, internal::NormalEquations& sums) const {
     for (std::size_t i = 0; i < 2; ++i) {
       if (!validate(states.at(i).model).empty() || !within(states.at(i).model, fits_.at(i).options.ranges)) return false;
@@ -153,8 +157,8 @@ class Problem {
   std::array<Unknowns, 2> unknowns_;
 };
 
-/// A camera of the pair with its field of view, limited to the angles at which its separate fit was scored; nullopt if there is
-/// no field of view.
+/// A camera of the pair with its field of view, which is limited to the angles up to which its separate fit was scored. nullopt
+/// if the camera has no field of view.
 std::optional<CameraOfPair> of_pair(const SeparateFit& fit) {
   constexpr int kSamples = 400;
   Diagnostics discarded;
@@ -169,16 +173,19 @@ std::optional<CameraOfPair> of_pair(const SeparateFit& fit) {
   return camera;
 }
 
+/// The error of the pair with these states instead of the separate fits (vertical_disparity.h); nullopt if it cannot be
+/// rectified.
 std::optional<PairError> error_of(const std::array<SeparateFit, 2>& fits, const std::array<State, 2>& states,
                                   const Transform& T_second_first) {
   const std::optional<Transform> T_source_target = inverse(states[0].turn());
   if (!T_source_target) return std::nullopt;
-  const Transform T_meant = states[1].turn() * T_second_first * *T_source_target;
-  return pair_error({fits[0].source, states[0].model}, {fits[1].source, states[1].model}, T_second_first, T_meant);
+  // The pose between the cameras that are rotated in the fit.
+  const Transform T_turned = states[1].turn() * T_second_first * *T_source_target;
+  return pair_error({fits[0].source, states[0].model}, {fits[1].source, states[1].model}, T_second_first, T_turned);
 }
 
-/// The conversion with its camera replaced by `state`, evaluated with the same options; nullopt if that covers less of the
-/// image.
+/// The separate conversion `fit` with its model replaced by that of `state`, evaluated with the same options. nullopt if the
+/// new model covers less of the image.
 std::optional<Conversion> conversion_to(const SeparateFit& fit, const State& state) {
   Diagnostics discarded;
   const std::optional<FieldOfView> field_of_view = field_of_view_of(fit.source, fit.options.max_angle_rad, discarded);
@@ -192,7 +199,7 @@ std::optional<Conversion> conversion_to(const SeparateFit& fit, const State& sta
                                                                      *field_of_view, max_angle_rad, fit.options.every_pixel)
                                          : evaluate(fit.source.model, state.model, *field_of_view,
                                                     {fit.options.every_pixel, fit.options.bound, max_angle_rad});
-  if (!internal::reaches_as_much(report.statistics, statistics)) return std::nullopt;
+  if (!internal::covers_as_much(report.statistics, statistics)) return std::nullopt;
   if (is_turned) report.turn = AbsorbedTurn{T_target_source, report.statistics.error.rms, report.statistics.error.max};
   report.statistics = std::move(statistics);
   report.turn_offer.reset();
@@ -209,8 +216,8 @@ std::optional<PairFit> fit_pair(const std::array<SeparateFit, 2>& cameras, const
   std::optional<CameraOfPair> first = of_pair(cameras[0]);
   std::optional<CameraOfPair> second = of_pair(cameras[1]);
   if (!before || !first || !second) return std::nullopt;
-  const std::array<CameraOfPair, 2> counted = {*std::move(first), *std::move(second)};
-  const Matches matches = internal::matches_of(counted, T_second_first);
+  const std::array<CameraOfPair, 2> pair = {*std::move(first), *std::move(second)};
+  const Matches matches = internal::matches_of(pair, T_second_first);
   if (matches.seen[0].empty()) return std::nullopt;
 
   struct Candidate {
@@ -218,13 +225,14 @@ std::optional<PairFit> fit_pair(const std::array<SeparateFit, 2>& cameras, const
     PairError error;
   };
   Candidate best{start, *before};
-  constexpr double kWorthATurn = 0.9;
-  constexpr double kVisible = 0.02;  // px
+  // A rotation is tried if the error without one is visible, and kept if it makes the error at least 10 % smaller.
+  constexpr double kLargestRatioWithTurn = 0.9;
+  constexpr double kVisiblePx = 0.02;
   for (const bool turns : {false, true}) {
-    if (turns && (!may_turn || best.error.rms_px() < kVisible)) continue;
-    const std::optional<std::array<State, 2>> found = Problem(cameras, counted, matches, turns).solve(best.states);
+    if (turns && (!may_turn || best.error.rms_px() < kVisiblePx)) continue;
+    const std::optional<std::array<State, 2>> found = Problem(cameras, pair, matches, turns).solve(best.states);
     const std::optional<PairError> error = found ? error_of(cameras, *found, T_second_first) : std::nullopt;
-    const double enough = (turns ? kWorthATurn : 1.0) * best.error.rms_px();
+    const double enough = (turns ? kLargestRatioWithTurn : 1.0) * best.error.rms_px();
     if (error && error->rms_px() < enough) best = {*found, *error};
   }
   if (!(best.error.rms_px() < before->rms_px())) return std::nullopt;

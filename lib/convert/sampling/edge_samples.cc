@@ -11,9 +11,9 @@ namespace fca::internal {
 void add_edge(const CameraModel& source, const FieldOfView& field_of_view, std::vector<Correspondence>& samples) {
   constexpr int kAzimuths = 24;
   constexpr double kInside = 1.0 - 1e-7;  // keeps points in the field of view in spite of rounding, also where the lens folds
-  constexpr double kMostWeight = 1e-6;
+  constexpr double kLargestWeight = 1e-6;
   const ImageSize& size = field_of_view.size;
-  const double weight = std::min(kMostWeight, 0.25 / (static_cast<double>(size.width) * size.height));
+  const double weight = std::min(kLargestWeight, 0.25 / (static_cast<double>(size.width) * size.height));
   const auto add = [&](const Pixel& pixel) {
     if (!size.holds(pixel)) return;
     if (const std::optional<Ray> ray = field_of_view.ray(source, pixel)) samples.push_back({*ray, pixel, weight});

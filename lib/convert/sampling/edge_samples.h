@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Samples on the edge of a field of view.
 #pragma once
 
 #include <fca/convert/field_of_view.h>
@@ -9,8 +10,9 @@
 
 namespace fca::internal {
 
-/// Adds points on the field of view's edge, with weights near 0, to its samples. Without them, a pole or a radius that turns
-/// back between the outermost sample and the edge would not change a fit's cost, but would spoil the pixels there.
+/// Adds points on the edge of the field of view to `samples`, with weights near 0. Without them, a fitted model could have a
+/// pole or a shrinking image radius between the outermost sample and the edge: the cost of the fit would not change, but the
+/// errors of the pixels there would be large.
 void add_edge(const CameraModel& source, const FieldOfView& field_of_view, std::vector<Correspondence>& samples);
 
 }  // namespace fca::internal

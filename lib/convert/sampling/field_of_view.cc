@@ -17,13 +17,13 @@ namespace fca {
 
 namespace {
 
-/// A rectangle of the image; both corners belong to it.
+/// A rectangle of the image, from the pixel `first` to the pixel `last`, both included.
 struct Window {
   Pixel first = {};
   Pixel last = {};
 };
 
-/// The part of the image that lies roughly within `angle_rad` of the axis.
+/// A rectangle with the pixels whose rays are roughly within `angle_rad` of the axis.
 Window around_axis(const Lens& lens, const ImageSize& size, double angle_rad) {
   const LensCentre centre = lens.centre();
   const std::array<double, 2> end = {size.width - 1.0, size.height - 1.0};
@@ -36,17 +36,17 @@ Window around_axis(const Lens& lens, const ImageSize& size, double angle_rad) {
   return window;
 }
 
-/// The rays at a coarse lattice of pixels in a window of the image, including its border. The border alone would miss a lens
-/// that ends inside the image.
+/// The rays of a coarse lattice of pixels in a window, including the window's border. The border alone would not be enough for
+/// a lens that ends inside the image.
 class RayLattice {
  public:
   RayLattice(const Lens& lens, const Window& window) : lens_(lens) {
     std::optional<internal::BatchRays> rays;
     if (lens.model() != nullptr && validate(*lens.model()).empty()) rays.emplace(*lens.model(), std::numbers::pi);
-    seen_.reserve(static_cast<std::size_t>((kSteps + 1) * (kSteps + 1)));
+    rays_.reserve(static_cast<std::size_t>((kSteps + 1) * (kSteps + 1)));
     internal::Batch batch;
     std::size_t count = 0;
-    const auto look = [&] {
+    const auto find_rays = [&] {
       std::fill_n(batch.z.begin(), count, internal::kAskModel);
       if (rays) (*rays)(batch, count);
       for (std::size_t i = 0; i < count; ++i) keep(batch, i);
@@ -56,21 +56,21 @@ class RayLattice {
       for (int j = 0; j <= kSteps; ++j) {
         batch.u[count] = window.first[0] + (window.last[0] - window.first[0]) * i / kSteps;
         batch.v[count] = window.first[1] + (window.last[1] - window.first[1]) * j / kSteps;
-        if (++count == internal::Batch::kSize) look();
+        if (++count == internal::Batch::kSize) find_rays();
       }
     }
-    look();
+    find_rays();
   }
 
-  /// The largest angle [rad] of these rays that does not exceed `limit`; negative if there is none.
+  /// The largest angle [rad] of these rays that does not exceed `limit` [rad]; -1 if there is none.
   [[nodiscard]] double largest_angle(double limit) const {
-    constexpr double kClose = 1e-9;
+    constexpr double kUncertain = 1e-9;  // cosines that are nearer to each other do not decide; angles do
     const double limit_cosine = std::cos(limit);
-    const Seen* furthest = nullptr;
-    for (const Seen& seen : seen_) {
+    const PixelWithRay* furthest = nullptr;
+    for (const PixelWithRay& seen : rays_) {
       if (furthest != nullptr && seen.ray[2] >= furthest->ray[2]) continue;
       const double difference = seen.ray[2] - limit_cosine;
-      if (std::abs(difference) > kClose ? difference > 0.0 : angle_from_axis(seen.ray) <= limit) furthest = &seen;
+      if (std::abs(difference) > kUncertain ? difference > 0.0 : angle_from_axis(seen.ray) <= limit) furthest = &seen;
     }
     if (furthest == nullptr) return -1.0;
     return angle_from_axis(lens_.ray(furthest->pixel).value_or(furthest->ray));  // exactly as Lens computes it
@@ -79,25 +79,26 @@ class RayLattice {
  private:
   static constexpr int kSteps = 24;
 
-  struct Seen {
+  struct PixelWithRay {
     Pixel pixel;
     Ray ray;
   };
 
+  /// Adds the ray of point i of a batch, if it has one.
   void keep(const internal::Batch& batch, std::size_t i) {
     const Pixel pixel = {batch.u[i], batch.v[i]};
     if (std::isfinite(batch.z[i])) {
-      seen_.push_back({pixel, {batch.x[i], batch.y[i], batch.z[i]}});
+      rays_.push_back({pixel, {batch.x[i], batch.y[i], batch.z[i]}});
     } else if (batch.z[i] != internal::kNoRay) {
-      if (const std::optional<Ray> ray = lens_.ray(pixel)) seen_.push_back({pixel, *ray});
+      if (const std::optional<Ray> ray = lens_.ray(pixel)) rays_.push_back({pixel, *ray});
     }
   }
 
   const Lens& lens_;
-  std::vector<Seen> seen_;
+  std::vector<PixelWithRay> rays_;
 };
 
-/// True if sampled pixels of the whole border have rays. If not, the lens ends inside the image.
+/// True if all of many pixels along the image's border have rays. Otherwise the lens ends inside the image.
 bool border_is_covered(const Lens& lens, const ImageSize& size) {
   constexpr int kSteps = 64;
   if (lens.model() != nullptr && is_surely_covered(*lens.model(), size)) return true;
@@ -113,26 +114,30 @@ bool border_is_covered(const Lens& lens, const ImageSize& size) {
   return true;
 }
 
-/// The largest angle that counts as lens, and the codes of the clauses that explain it.
+/// A limit of the field of view's largest angle, and the codes of clauses that explain that angle.
 struct Limit {
   double rad = std::numbers::pi;
-  Code who{};   ///< Used if the limit is below the image's largest angle.
-  Code kept{};  ///< Used if it is not.
+  Code limited{};    ///< The clause if the limit is below the image's largest angle.
+  Code unlimited{};  ///< The clause if the limit does not exclude any part of the image.
 };
 
+/// The limit that the caller has given.
 Limit as_given(double rad) { return {rad, Code::kFieldOfViewGiven, Code::kFieldOfViewInsideGiven}; }
 
+/// The centres of the pixels in the image's corners.
 std::array<Pixel, 4> corners_of(const ImageSize& size) {
   const double right = size.width - 1.0;
   const double bottom = size.height - 1.0;
   return {{{0.0, 0.0}, {right, 0.0}, {0.0, bottom}, {right, bottom}}};
 }
 
-/// The largest angle [rad] in the part of the image inside the circle. Angles grow outwards, so it occurs on the rim or in a
-/// corner. The model's largest angle if a pixel there has no ray; nullopt if no pixel of the rim has one.
+/// The largest angle [rad] in the part of the image inside the circle. Angles grow outwards, so that this angle is on the rim
+/// or in a corner of the image. If a pixel there has no ray, returns the model's largest angle. nullopt if no pixel of the rim
+/// has a ray.
 std::optional<double> largest_angle_in(const LensCircle& circle, const Lens& lens, const ImageSize& size) {
   double largest = 0.0;
   bool model_ends = false;
+  // True if the pixel's ray is further from the axis than all before.
   const auto look = [&](const Pixel& pixel) {
     const std::optional<Ray> ray = lens.ray(pixel);
     model_ends = model_ends || !ray;
@@ -164,8 +169,8 @@ std::optional<double> largest_angle_in(const LensCircle& circle, const Lens& len
   return model_ends ? lens.max_angle_rad() : largest;
 }
 
-/// True if image size and limit allow a field of view; otherwise false, with an error.
-bool is_usable(const ImageSize& size, std::optional<double> limit_rad, const std::string& name, Diagnostics& diagnostics) {
+/// True if the image size and the limit are valid; otherwise false, with an error.
+bool are_valid(const ImageSize& size, std::optional<double> limit_rad, const std::string& name, Diagnostics& diagnostics) {
   if (const Message problem = problem_with_image_size(size); problem.is_said()) {
     diagnostics.add(Code::kImageSizeInvalid, {name, problem});
     return false;
@@ -177,12 +182,14 @@ bool is_usable(const ImageSize& size, std::optional<double> limit_rad, const std
   return true;
 }
 
+/// The field of view without regard to a circle. `given`: the limit of its angle, if there is one. nullopt, with an error, if
+/// no pixel has a ray within the limit.
 std::optional<FieldOfView> field_of_view_within(const Lens& lens, const ImageSize& size, const std::optional<Limit>& given,
                                                 const std::string& name, Diagnostics& diagnostics) {
   const double limit = given ? given->rad : std::numbers::pi;
   const RayLattice rays(lens, {{0.0, 0.0}, {size.width - 1.0, size.height - 1.0}});
   double largest = rays.largest_angle(limit);
-  // A lens of a few degrees may fit between the points of the coarse lattice.
+  // A field of view of a few degrees may lie between the points of the coarse lattice.
   if (largest < 0.0 && given) largest = RayLattice(lens, around_axis(lens, size, limit)).largest_angle(limit);
   if (largest < 0.0 && given && rays.largest_angle(std::numbers::pi) >= 0.0) {
     diagnostics.add(Code::kNoPixelInTheLens, {name});
@@ -197,19 +204,20 @@ std::optional<FieldOfView> field_of_view_within(const Lens& lens, const ImageSiz
   const double model_limit = lens.max_angle_rad();
   if (given && rays.largest_angle(std::numbers::pi) > limit) {
     field_of_view.max_angle_rad = limit;
-    field_of_view.why = {given->who};
+    field_of_view.why = {given->limited};
   } else if (!border_is_covered(lens, size)) {
     field_of_view.max_angle_rad = std::min(model_limit, limit);
-    field_of_view.why = {given && limit < model_limit ? given->who : Code::kFieldOfViewModelEnds};
+    field_of_view.why = {given && limit < model_limit ? given->limited : Code::kFieldOfViewModelEnds};
   } else {
-    // The corners are lattice points, so that this is the image's largest angle. The slack keeps rounding from excluding them.
+    // The corners are lattice points, so that this is the image's largest angle. With the slack, rounding does not exclude
+    // them.
     field_of_view.max_angle_rad = std::min(largest * (1.0 + 1e-12), std::numbers::pi);
-    field_of_view.why = {given ? given->kept : Code::kFieldOfViewWholeImage};
+    field_of_view.why = {given ? given->unlimited : Code::kFieldOfViewWholeImage};
   }
   return field_of_view;
 }
 
-/// Restricts the field of view to the camera's circle. `limit`: the limit given so far, or null.
+/// Restricts the field of view to the camera's circle. `limit`: the limit of its angle, or null.
 void cut_by_circle(const LensCircle& circle, const Camera& camera, const Limit* limit, FieldOfView& field_of_view) {
   const auto is_lit = [&circle](const Pixel& pixel) { return circle.contains(pixel); };
   if (std::ranges::all_of(corners_of(field_of_view.size), is_lit)) {
@@ -222,10 +230,10 @@ void cut_by_circle(const LensCircle& circle, const Camera& camera, const Limit* 
     field_of_view.why = {Code::kFieldOfViewAndInsideCircle, {field_of_view.why, circle.why}};
     return;
   }
-  constexpr double kSlack = 1.0 + 1e-9;  // rounding must not cut the rim
+  constexpr double kSlack = 1.0 + 1e-9;  // rounding must not exclude the rim
   const bool limited = limit != nullptr && field_of_view.max_angle_rad == limit->rad;
   field_of_view.max_angle_rad = std::min(field_of_view.max_angle_rad, *largest * kSlack);
-  field_of_view.why = limited ? Message{Code::kFieldOfViewAndCircle, {Message{limit->who}, circle.why}} : circle.why;
+  field_of_view.why = limited ? Message{Code::kFieldOfViewAndCircle, {Message{limit->limited}, circle.why}} : circle.why;
 }
 
 }  // namespace
@@ -248,7 +256,7 @@ std::optional<FieldOfView> field_of_view_of(const Camera& camera, std::optional<
     return std::nullopt;
   }
   if (!usable) return std::nullopt;
-  if (!is_usable(*camera.image_size, limit_rad, camera.name, diagnostics)) return std::nullopt;
+  if (!are_valid(*camera.image_size, limit_rad, camera.name, diagnostics)) return std::nullopt;
   std::optional<Limit> limit;
   if (limit_rad) limit = as_given(*limit_rad);
   std::optional<FieldOfView> field_of_view =
@@ -260,7 +268,7 @@ std::optional<FieldOfView> field_of_view_of(const Camera& camera, std::optional<
 
 std::optional<FieldOfView> field_of_view_of(const Lens& lens, const ImageSize& size, std::optional<double> limit_rad,
                                             const std::string& name, Diagnostics& diagnostics) {
-  if (!is_usable(size, limit_rad, name, diagnostics)) return std::nullopt;
+  if (!are_valid(size, limit_rad, name, diagnostics)) return std::nullopt;
   return field_of_view_within(lens, size, limit_rad ? std::optional(as_given(*limit_rad)) : std::nullopt, name, diagnostics);
 }
 

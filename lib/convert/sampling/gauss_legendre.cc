@@ -10,8 +10,8 @@ namespace fca::internal {
 
 namespace {
 
-/// The nodes are the roots of the Legendre polynomial P_n, found by Newton's method from Tricomi's starting values. Only half
-/// are computed; the others mirror them.
+/// Computes the nodes: the roots of the Legendre polynomial P_n, by Newton's method from Tricomi's starting values. Only half
+/// of them are computed, because the other half is symmetric to these.
 std::vector<Node> compute_gauss_legendre(int n) {
   std::vector<Node> nodes(static_cast<std::size_t>(n));
   for (int i = 0; i < (n + 1) / 2; ++i) {

@@ -13,8 +13,9 @@ namespace fca::internal {
 
 namespace {
 
-/// Golub & Welsch (1969): the eigenvalues of the Jacobi matrix of the measure's orthogonal polynomials, here the discrete
-/// Chebyshev polynomials p_(k+1) = (x - (N - 1) / 2) p_k - b_k p_(k-1), b_k = k^2 (N^2 - k^2) / (4 (4 k^2 - 1)).
+/// Computes the nodes by the method of Golub & Welsch (1969): they are the eigenvalues of the Jacobi matrix of the measure's
+/// orthogonal polynomials. For N pixels these are the discrete Chebyshev polynomials,
+/// p_(k+1) = (x - (N - 1) / 2) p_k - b_k p_(k-1) with b_k = k^2 (N^2 - k^2) / (4 (4 k^2 - 1)).
 std::vector<Node> compute_gauss_pixels(int n, int pixels) {
   const double middle = 0.5 * (pixels - 1.0);
   Eigen::VectorXd next_to_diagonal(n - 1);

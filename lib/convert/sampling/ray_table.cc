@@ -16,22 +16,22 @@ namespace fca {
 std::optional<LensCentre> centre_of(std::span<const Correspondence> table) {
   std::vector<Correspondence> inner(table.begin(), table.end());
   std::ranges::sort(inner, {}, [](const Correspondence& c) { return angle_from_axis(c.ray); });
-  constexpr std::size_t kFewest = 6;
-  inner.resize(std::min(inner.size(), std::max(kFewest, inner.size() / 4)));
+  constexpr std::size_t kFewestInnerRays = 6;
+  inner.resize(std::min(inner.size(), std::max(kFewestInnerRays, inner.size() / 4)));
   LensCentre centre;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     internal::LinearFit<2> fit;
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
+    double smallest = std::numeric_limits<double>::infinity();
+    double largest = -smallest;
     for (const Correspondence& c : inner) {
       const double sine = std::hypot(c.ray[0], c.ray[1]);
       const double along = sine > 0.0 ? angle_from_axis(c.ray) * c.ray[axis] / sine : 0.0;
       fit.add({along, 1.0}, c.pixel[axis], c.weight);
-      least = std::min(least, along);
-      most = std::max(most, along);
+      smallest = std::min(smallest, along);
+      largest = std::max(largest, along);
     }
-    constexpr double kNoSpread = 1e-9;  // rad
-    if (!(most - least > kNoSpread)) return std::nullopt;
+    constexpr double kSmallestRange = 1e-9;  // rad
+    if (!(largest - smallest > kSmallestRange)) return std::nullopt;
     std::array<double, 2> solution{};
     fit.solve(solution.data());
     if (!(solution[0] > 0.0) || !std::isfinite(solution[0]) || !std::isfinite(solution[1])) return std::nullopt;
@@ -43,13 +43,14 @@ std::optional<LensCentre> centre_of(std::span<const Correspondence> table) {
 
 namespace {
 
-/// A ray and its pixel, with the pixel's distance from the pixel of the axis.
+/// A ray and its pixel.
 struct Sighting {
   Correspondence entry;
-  double radius_px = 0.0;
+  double radius_px = 0.0;  ///< The distance of the pixel from the axis's pixel.
 };
 
-/// Rays from the axis outwards at one azimuth [rad], as long as the image radius grows.
+/// Rays at one azimuth [rad] with increasing angles from the axis. They end where a ray has no pixel, or the image radius no
+/// longer grows, at the latest at max_angle_rad.
 std::vector<Sighting> sightings_along(const Projection& projection, const Pixel& centre, double azimuth, double max_angle_rad) {
   constexpr int kSteps = 400;
   std::vector<Sighting> line;
@@ -67,13 +68,14 @@ std::vector<Sighting> sightings_along(const Projection& projection, const Pixel&
   return line;
 }
 
-/// Azimuths about the axis [rad], ascending: evenly spaced ones, and those of the image's corners.
-std::vector<double> directions_from(const Pixel& centre, const ImageSize& size) {
-  constexpr int kEvenly = 64;
+/// Azimuths about the pixel `centre` [rad], ascending: evenly spaced ones, and those of the image's corners.
+std::vector<double> azimuths_about(const Pixel& centre, const ImageSize& size) {
+  constexpr int kEvenlySpaced = 64;
   constexpr std::size_t kCorners = 4;
   std::vector<double> azimuths;
-  azimuths.reserve(kEvenly + kCorners);
-  for (int i = 0; i < kEvenly; ++i) azimuths.push_back(2.0 * std::numbers::pi * (i + 0.5) / kEvenly - std::numbers::pi);
+  azimuths.reserve(kEvenlySpaced + kCorners);
+  for (int i = 0; i < kEvenlySpaced; ++i)
+    azimuths.push_back(2.0 * std::numbers::pi * (i + 0.5) / kEvenlySpaced - std::numbers::pi);
   for (const double u : {-0.5, size.width - 0.5}) {
     for (const double v : {-0.5, size.height - 0.5}) azimuths.push_back(std::atan2(v - centre[1], u - centre[0]));
   }
@@ -81,6 +83,7 @@ std::vector<double> directions_from(const Pixel& centre, const ImageSize& size) 
   return azimuths;
 }
 
+/// True if the pixel lies in the image, including the outer halves of the border's pixels.
 bool is_in(const ImageSize& size, const Pixel& pixel) {
   return pixel[0] >= -0.5 && pixel[1] >= -0.5 && pixel[0] <= size.width - 0.5 && pixel[1] <= size.height - 0.5;
 }
@@ -92,23 +95,24 @@ std::optional<Camera> measured(Camera camera, const Projection& projection, doub
   const std::optional<Pixel> centre = projection({0.0, 0.0, 1.0});
   if (!centre || !camera.image_size) return std::nullopt;
   camera.rays.clear();
-  const std::vector<double> azimuths = directions_from(*centre, *camera.image_size);
+  const std::vector<double> azimuths = azimuths_about(*centre, *camera.image_size);
   for (std::size_t i = 0; i < azimuths.size(); ++i) {
-    const double turn = 2.0 * std::numbers::pi;
-    const double before_it = i > 0 ? azimuths[i - 1] : azimuths.back() - turn;
-    const double behind_it = i + 1 < azimuths.size() ? azimuths[i + 1] : azimuths.front() + turn;
+    const double full_turn = 2.0 * std::numbers::pi;
+    const double azimuth_before = i > 0 ? azimuths[i - 1] : azimuths.back() - full_turn;
+    const double azimuth_after = i + 1 < azimuths.size() ? azimuths[i + 1] : azimuths.front() + full_turn;
     std::vector<Sighting> line = sightings_along(projection, *centre, azimuths[i], max_angle_rad);
     while (!line.empty() && !is_in(*camera.image_size, line.back().entry.pixel)) line.pop_back();
     if (line.empty()) continue;
     const double furthest = line.back().radius_px;
-    double before = 0.0;
+    double radius_before = 0.0;
     for (const Sighting& sighting : line) {
-      if (sighting.radius_px - before < furthest / kRadii && &sighting != &line.back()) continue;
+      if (sighting.radius_px - radius_before < furthest / kRadii && &sighting != &line.back()) continue;
       if (is_in(*camera.image_size, sighting.entry.pixel)) {
         camera.rays.push_back(sighting.entry);
-        camera.rays.back().weight = sighting.radius_px * (sighting.radius_px - before) * (behind_it - before_it);
+        camera.rays.back().weight =
+            sighting.radius_px * (sighting.radius_px - radius_before) * (azimuth_after - azimuth_before);
       }
-      before = sighting.radius_px;
+      radius_before = sighting.radius_px;
     }
   }
   double sum = 0.0;

@@ -19,27 +19,31 @@ using internal::gauss_legendre;
 using internal::gauss_pixels;
 using internal::Node;
 
+/// True if the camera's model is one of Ms.
 template <class... Ms>
 bool is_any_of(const CameraModel& model) {
   return (std::holds_alternative<Intrinsics<Ms>>(model) || ...);
 }
 
-/// Rays of the field of view's pixels, faster than FieldOfView::ray(). That computes an angle, which takes longer than most
-/// models' rays; here the ray's z nearly always decides.
+/// Computes the rays of pixels in the field of view, faster than FieldOfView::ray(): that computes the angle of each ray, which
+/// takes longer than the ray itself. Here the ray's z, its cosine, nearly always decides.
 class Rays {
  public:
   Rays(const Lens& source, const FieldOfView& field_of_view)
-      : source_(source), field_of_view_(field_of_view), lowest_(std::cos(field_of_view.max_angle_rad)) {}
+      : source_(source), field_of_view_(field_of_view), lowest_cosine_(std::cos(field_of_view.max_angle_rad)) {}
 
+  /// The ray of a pixel; nullopt if it is not in the field of view.
   [[nodiscard]] std::optional<Ray> operator()(const Pixel& pixel) const {
     if (!is_lit(pixel)) return std::nullopt;
     std::optional<Ray> ray = source_.ray(pixel);
     if (!ray || surely_inside((*ray)[2])) return ray;
-    if ((*ray)[2] < lowest_ - kUnclear || angle_from_axis(*ray) > field_of_view_.max_angle_rad) return std::nullopt;
+    if ((*ray)[2] < lowest_cosine_ - kUncertain || angle_from_axis(*ray) > field_of_view_.max_angle_rad) return std::nullopt;
     return ray;
   }
-  [[nodiscard]] bool surely_inside(double cosine) const { return cosine > lowest_ + kUnclear; }
-  /// Kernels for many pixels, for models whose rays need a search; nullopt for other models, whose rays are as fast one by one.
+  /// True if a ray with this cosine of the angle from the axis is certainly in the field of view.
+  [[nodiscard]] bool surely_inside(double cosine) const { return cosine > lowest_cosine_ + kUncertain; }
+  /// The kernel that computes the rays of many pixels at a time. nullopt for models without a search in their rays, for which
+  /// it would not be faster.
   [[nodiscard]] std::optional<internal::BatchRays> batch() const {
     const CameraModel* model = source_.model();
     if (model == nullptr || !is_any_of<Kb4, Radtan, Rational>(*model) || !validate(*model).empty()) return std::nullopt;
@@ -47,8 +51,8 @@ class Rays {
   }
   [[nodiscard]] bool is_lit(const Pixel& pixel) const { return field_of_view_.is_lit(pixel); }
   [[nodiscard]] bool has(const Pixel& pixel) const { return (*this)(pixel).has_value(); }
-  /// How far a pixel's ray lies beyond the field of view's edge [rad; at a circle's edge approximately]; negative inside.
-  /// nullopt if the source has no ray.
+  /// The angle [rad] between a pixel's ray and the field of view's edge: positive outside, negative inside. It is approximate
+  /// if the edge is a circle. nullopt if the pixel has no ray.
   [[nodiscard]] std::optional<double> beyond(const Pixel& pixel) const {
     const std::optional<Ray> ray = source_.ray(pixel);
     if (!ray) return std::nullopt;
@@ -60,10 +64,10 @@ class Rays {
   [[nodiscard]] const ImageSize& size() const { return field_of_view_.size; }
 
  private:
-  static constexpr double kUnclear = 1e-9;
+  static constexpr double kUncertain = 1e-9;  ///< Cosines that are nearer to lowest_cosine_ do not decide.
   const Lens& source_;
   const FieldOfView& field_of_view_;
-  double lowest_;  ///< Cosine of the field of view's largest angle.
+  double lowest_cosine_;  ///< The cosine of the field of view's largest angle.
 };
 
 /// A pixel that may be a sample.
@@ -72,8 +76,8 @@ struct Candidate {
   double weight;
 };
 
-/// Samples of the candidates that have a ray in the field of view.
-std::vector<Correspondence> seen_of(const Rays& rays, const std::vector<Candidate>& candidates) {
+/// The samples: those candidates that have a ray in the field of view.
+std::vector<Correspondence> samples_of(const Rays& rays, const std::vector<Candidate>& candidates) {
   std::vector<Correspondence> samples;
   samples.reserve(candidates.size());
   const std::optional<internal::BatchRays> many = rays.batch();
@@ -102,7 +106,7 @@ std::vector<Correspondence> seen_of(const Rays& rays, const std::vector<Candidat
   return samples;
 }
 
-/// Samples a tensor grid of Gauss nodes over the whole image; points outside the field of view are dropped.
+/// Samples a grid over the whole image, with Gauss nodes of its rows and columns. Points outside the field of view are dropped.
 std::vector<Correspondence> sample_rectangle(const Rays& rays, int count) {
   const ImageSize& size = rays.size();
   const double aspect = std::clamp(static_cast<double>(size.width) / size.height, 0.1, 10.0);
@@ -114,21 +118,22 @@ std::vector<Correspondence> sample_rectangle(const Rays& rays, int count) {
   for (const Node& u : gauss_pixels(columns, size.width)) {
     for (const Node& v : vertical) candidates.push_back({{u.position, v.position}, u.weight * v.weight});
   }
-  return seen_of(rays, candidates);
+  return samples_of(rays, candidates);
 }
 
-/// The distance, in units of `direction`, from `centre` to the image's border.
+/// The distance from `centre` to the image's border in a direction, in units of the length of `direction`.
 double distance_to_border(const ImageSize& size, const Pixel& centre, const Pixel& direction) {
   const Pixel last = {size.width - 1.0, size.height - 1.0};
-  double far = std::numeric_limits<double>::infinity();
+  double distance = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < direction.size(); ++k) {
-    if (direction[k] > 0.0) far = std::min(far, (last[k] - centre[k]) / direction[k]);
-    if (direction[k] < 0.0) far = std::min(far, -centre[k] / direction[k]);
+    if (direction[k] > 0.0) distance = std::min(distance, (last[k] - centre[k]) / direction[k]);
+    if (direction[k] < 0.0) distance = std::min(distance, -centre[k] / direction[k]);
   }
   constexpr double kJustInside = 1.0 - 1e-12;  // rounding must not put the border outside the image
-  return far * kJustInside;
+  return distance * kJustInside;
 }
 
+/// The pixel at a distance from `centre` in a direction; `distance` as for distance_to_border().
 Pixel along(const Pixel& centre, const Pixel& direction, double distance) {
   return {centre[0] + distance * direction[0], centre[1] + distance * direction[1]};
 }
@@ -140,8 +145,8 @@ bool reaches_border(const Rays& rays, const Pixel& centre, double azimuth) {
 }
 
 /// The distance [px] from `centre` to the edge of the field of view at that azimuth [rad]: to the image's border, or to the
-/// lens's edge if that comes first. The edge is found in a bracket, since angles grow along the way: by regula falsi (Illinois)
-/// if the source has rays beyond it, by halving if it has none.
+/// lens's edge if that is nearer. Angles grow outwards, so that the search keeps a bracket [near, far] around the lens's edge.
+/// It uses regula falsi (Illinois) if there are rays beyond the edge, otherwise halving.
 double distance_to_edge(const Rays& rays, const Pixel& centre, double azimuth) {
   const Pixel direction = {std::cos(azimuth), std::sin(azimuth)};
   double far = distance_to_border(rays.size(), centre, direction);
@@ -174,9 +179,9 @@ double distance_to_edge(const Rays& rays, const Pixel& centre, double azimuth) {
   return near;
 }
 
-/// Azimuths [rad] between which the field of view's edge is smooth: those of the image's corners, and those at which the edge
-/// changes between the image's border and the lens's edge.
-std::vector<double> smooth_pieces(const Rays& rays, const Pixel& centre) {
+/// The azimuths [rad] at which the edge of the field of view is not smooth, ascending over a whole turn: those of the image's
+/// corners, and those at which the edge changes between the image's border and the lens's edge.
+std::vector<double> ends_of_smooth_pieces(const Rays& rays, const Pixel& centre) {
   const double width = rays.size().width - 1.0;
   const double height = rays.size().height - 1.0;
   std::vector<double> corners;
@@ -189,48 +194,49 @@ std::vector<double> smooth_pieces(const Rays& rays, const Pixel& centre) {
 
   const auto at_border = [&](double azimuth) { return reaches_border(rays, centre, azimuth); };
   constexpr int kStepsPerSide = 12;
-  constexpr double kHair = 1e-9;
+  constexpr double kJustInside = 1e-9;  // rad; as a share of a side, too
   std::vector<double> pieces = {corners.front()};
   for (std::size_t side = 0; side + 1 < corners.size(); ++side) {
     const double span = corners[side + 1] - corners[side];
-    // A corner belongs to two sides: look slightly inside this one.
+    // A corner belongs to two sides: the azimuth is slightly inside this one.
     const auto azimuth_of = [&](int step) {
-      return corners[side] + span * std::clamp(static_cast<double>(step) / kStepsPerSide, kHair, 1.0 - kHair);
+      return corners[side] + span * std::clamp(static_cast<double>(step) / kStepsPerSide, kJustInside, 1.0 - kJustInside);
     };
-    bool kind_after = false;
+    bool is_border_after = false;
     for (int step = 0; step < kStepsPerSide; ++step) {
       double before = azimuth_of(step);
       double after = azimuth_of(step + 1);
-      const bool kind = step == 0 ? at_border(before) : kind_after;
-      kind_after = at_border(after);
-      if (kind_after == kind) continue;
+      const bool is_border = step == 0 ? at_border(before) : is_border_after;
+      is_border_after = at_border(after);
+      if (is_border_after == is_border) continue;
       constexpr int kHalvings = 30;
       for (int i = 0; i < kHalvings; ++i) {
         const double middle = 0.5 * (before + after);
-        (at_border(middle) == kind ? before : after) = middle;
+        (at_border(middle) == is_border ? before : after) = middle;
       }
       pieces.push_back(0.5 * (before + after));
     }
     // If the lens ends before the corner, its edge is smooth at that azimuth: no cut is needed.
     const bool last = side + 2 == corners.size();
-    if (last || kind_after || at_border(corners[side + 1] + kHair)) pieces.push_back(corners[side + 1]);
+    if (last || is_border_after || at_border(corners[side + 1] + kJustInside)) pieces.push_back(corners[side + 1]);
   }
   return pieces;
 }
 
-/// Samples in polar coordinates around the principal point, piece by piece.
+/// Samples in polar coordinates about a pixel (mostly the principal point), piece by piece of the field of view.
 class PolarSampler {
  public:
   PolarSampler(const Rays& rays, const Pixel& centre, int count)
-      : rays_(rays), centre_(centre), pieces_(smooth_pieces(rays, centre)) {
-    // Errors change fast along the radius (tan^7 for radtan).
+      : rays_(rays), centre_(centre), pieces_(ends_of_smooth_pieces(rays, centre)) {
+    // Errors change fast along the radius (like tan^7 for radtan), so that many radii are needed.
     constexpr int kFewestRadii = 10;
     constexpr int kMostRadii = 40;
     const int pieces = static_cast<int>(pieces_.size()) - 1;
-    radial_ = std::clamp(count / (kFewestAzimuths * pieces), kFewestRadii, kMostRadii);
-    azimuths_per_radian_ = count / (radial_ * 2.0 * std::numbers::pi);
+    radii_ = std::clamp(count / (kFewestAzimuths * pieces), kFewestRadii, kMostRadii);
+    azimuths_per_radian_ = count / (radii_ * 2.0 * std::numbers::pi);
   }
 
+  /// The samples. Their weights do not sum to 1.
   std::vector<Correspondence> run() {
     for (std::size_t piece = 0; piece + 1 < pieces_.size(); ++piece) {
       const double begin = pieces_[piece];
@@ -241,34 +247,34 @@ class PolarSampler {
         add_sector(begin, end);
       }
     }
-    return seen_of(rays_, candidates_);
+    return samples_of(rays_, candidates_);
   }
 
  private:
-  static constexpr int kFewestAzimuths = 3;
+  static constexpr int kFewestAzimuths = 3;  ///< In one piece.
 
   static Pixel direction(double azimuth) { return {std::cos(azimuth), std::sin(azimuth)}; }
 
-  /// Samples a sector that ends at the lens's edge. There errors change slowly with the azimuth. Along the radius they may
-  /// change without limit: where the source's own domain ends, its image radius stops growing with the angle. The substitution
-  /// r = edge sin(pi t / 2) matches that.
+  /// Samples a sector that ends at the lens's edge. Errors change slowly with the azimuth there. Along the radius their
+  /// derivative may be infinite at the edge: if the source's domain ends there, its image radius stops growing with the angle.
+  /// With the substitution r = edge sin(pi t / 2), errors are smooth functions of t.
   void add_sector(double begin, double end) {
     const double span = end - begin;
     const int azimuths = std::max(kFewestAzimuths, static_cast<int>(std::lround(azimuths_per_radian_ * span)));
     for (const Node& azimuth : gauss_legendre(azimuths)) {
       const double phi = begin + azimuth.position * span;
       const double edge = distance_to_edge(rays_, centre_, phi);
-      for (const Node& node : gauss_legendre(radial_)) {
-        const double turn = 0.5 * std::numbers::pi * node.position;
-        const double derivative = 0.5 * std::numbers::pi * std::cos(turn);
-        const double weight = azimuth.weight * span * edge * edge * node.weight * derivative * std::sin(turn);
-        candidates_.push_back({along(centre_, direction(phi), edge * std::sin(turn)), weight});
+      for (const Node& node : gauss_legendre(radii_)) {
+        const double angle = 0.5 * std::numbers::pi * node.position;  // of the substitution
+        const double derivative = 0.5 * std::numbers::pi * std::cos(angle);
+        const double weight = azimuth.weight * span * edge * edge * node.weight * derivative * std::sin(angle);
+        candidates_.push_back({along(centre_, direction(phi), edge * std::sin(angle)), weight});
       }
     }
   }
 
-  /// Samples a triangle that ends at a side of the image. The nodes lie evenly along the side, so that a polynomial of the
-  /// pixel remains one along it. Errors grow as fast towards its corners as along the radius.
+  /// Samples a triangle that ends at a side of the image. Its azimuths are Gauss-Legendre nodes along the side, so that a
+  /// polynomial of the pixel is a polynomial along the side, too. Errors grow as fast towards the corners as along the radius.
   void add_triangle(double begin, double end) {
     const auto border = [&](double azimuth) {
       return along(centre_, direction(azimuth), distance_to_border(rays_.size(), centre_, direction(azimuth)));
@@ -279,12 +285,12 @@ class PolarSampler {
     const double whole = std::max(rays_.size().width, rays_.size().height);
     const double twice_area =
         std::abs((first[0] - centre_[0]) * (last[1] - centre_[1]) - (first[1] - centre_[1]) * (last[0] - centre_[0]));
-    const int along_side = std::max(kFewestAzimuths, static_cast<int>(std::lround(radial_ * length / whole)));
+    const int along_side = std::max(kFewestAzimuths, static_cast<int>(std::lround(radii_ * length / whole)));
     for (const Node& node : gauss_legendre(along_side)) {
       const Pixel border_point = {first[0] + node.position * (last[0] - first[0]),
                                   first[1] + node.position * (last[1] - first[1])};
       const Pixel to_border = {border_point[0] - centre_[0], border_point[1] - centre_[1]};
-      for (const Node& radius : gauss_legendre(radial_ - 1)) {
+      for (const Node& radius : gauss_legendre(radii_ - 1)) {
         const double weight = node.weight * twice_area * radius.weight * radius.position;
         candidates_.push_back({along(centre_, to_border, radius.position), weight});
       }
@@ -295,13 +301,14 @@ class PolarSampler {
 
   const Rays& rays_;
   Pixel centre_;
-  std::vector<double> pieces_;
-  int radial_ = 0;
+  std::vector<double> pieces_;  ///< The azimuths at which the pieces begin, and the end of the last one [rad].
+  int radii_ = 0;               ///< The number of radii at each azimuth.
   double azimuths_per_radian_ = 0.0;
   std::vector<Candidate> candidates_;
 };
 
-bool whole_image(const Rays& rays) {
+/// True if the four corners, and so the whole image, are in the field of view.
+bool is_whole_image(const Rays& rays) {
   const double width = rays.size().width - 1.0;
   const double height = rays.size().height - 1.0;
   return std::ranges::all_of(std::array<Pixel, 4>{{{0.0, 0.0}, {width, 0.0}, {0.0, height}, {width, height}}},
@@ -311,17 +318,18 @@ bool whole_image(const Rays& rays) {
 }  // namespace
 
 std::vector<Correspondence> sample(const Lens& source, const FieldOfView& field_of_view, int count) {
+  // The centre of the polar samples: the principal point or, if that is outside the circle, the circle's centre.
   Pixel centre = source.centre().point;
   if (!field_of_view.is_lit(centre)) centre = field_of_view.circle->centre;
-  const bool centred = centre[0] > 0.0 && centre[1] > 0.0 && centre[0] < field_of_view.size.width - 1.0 &&
-                       centre[1] < field_of_view.size.height - 1.0;
+  const bool is_centre_inside = centre[0] > 0.0 && centre[1] > 0.0 && centre[0] < field_of_view.size.width - 1.0 &&
+                                centre[1] < field_of_view.size.height - 1.0;
   const Rays rays(source, field_of_view);
   std::vector<Correspondence> samples;
-  if (centred && !whole_image(rays)) {
+  if (is_centre_inside && !is_whole_image(rays)) {
     samples = PolarSampler(rays, centre, count).run();
   } else {
-    // A principal point outside the image is rare. A finer tensor grid compensates for the points that are dropped.
-    samples = sample_rectangle(rays, centred ? count : 4 * count);
+    // If the principal point is outside the image, which is rare, many points of the grid are dropped: it must be finer.
+    samples = sample_rectangle(rays, is_centre_inside ? count : 4 * count);
   }
   double total = 0.0;
   for (const Correspondence& s : samples) total += s.weight;

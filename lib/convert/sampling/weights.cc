@@ -12,13 +12,14 @@ namespace fca::internal {
 
 namespace {
 
-/// The weight of black, as a fraction of the brightest weight: an error of 30 px at black costs as much as one of 0.001 px at
-/// white.
-constexpr double kBlack = 1e-9;
+/// The weight of black pixels, as a fraction of the largest weight. An error of 30 px at a black pixel then costs as much as
+/// one of 0.001 px at a white pixel.
+constexpr double kWeightOfBlack = 1e-9;
 
 double brightest(const GreyImage& image) { return *std::ranges::max_element(image.samples); }
 
-/// The grey value at a pixel, interpolated bilinearly between pixel centres. Exact if the neighbours are equal.
+/// The grey value at a pixel, interpolated bilinearly between the centres of its neighbours. If these have the same value, the
+/// result is exactly this value.
 double grey_at(const GreyImage& image, const Pixel& pixel) {
   struct Place {
     std::size_t first;
@@ -43,16 +44,16 @@ double grey_at(const GreyImage& image, const Pixel& pixel) {
   return upper + v.beyond * (along_row(at + below) - upper);
 }
 
-/// The derivative of a pixel's ray by u (axis 0) or v (axis 1), per pixel; nullopt if neither neighbour has a ray.
+/// The derivative of a pixel's ray [1/px] with respect to u (axis 0) or v (axis 1); nullopt if neither neighbour has a ray.
 std::optional<Ray> ray_per_pixel(const Lens& source, const Pixel& pixel, const Ray& ray, std::size_t axis) {
   constexpr double kStep = 0.02;  // px
-  const auto beside = [&](double step) {
+  const auto ray_at = [&](double step) {
     Pixel place = pixel;
     place[axis] += step;
     return source.ray(place);
   };
-  const std::optional<Ray> after = beside(kStep);
-  const std::optional<Ray> before = beside(-kStep);
+  const std::optional<Ray> after = ray_at(kStep);
+  const std::optional<Ray> before = ray_at(-kStep);
   if (!after && !before) return std::nullopt;
   const Ray& to = after ? *after : ray;
   const Ray& from = before ? *before : ray;
@@ -60,8 +61,8 @@ std::optional<Ray> ray_per_pixel(const Lens& source, const Pixel& pixel, const R
   return Ray{(to[0] - from[0]) / distance, (to[1] - from[1]) / distance, (to[2] - from[2]) / distance};
 }
 
-/// The solid angle of a pixel [sr]: the area, on the unit sphere, of the parallelogram spanned by its ray's derivatives. 0 if
-/// there are none.
+/// The solid angle of a pixel [sr]: the area of the parallelogram that the derivatives of its ray span. 0 if there are no
+/// derivatives.
 double solid_angle(const Lens& source, const Correspondence& sample) {
   const std::optional<Ray> a = ray_per_pixel(source, sample.pixel, sample.ray, 0);
   const std::optional<Ray> b = ray_per_pixel(source, sample.pixel, sample.ray, 1);
@@ -70,10 +71,10 @@ double solid_angle(const Lens& source, const Correspondence& sample) {
                     (*a)[0] * (*b)[1] - (*a)[1] * (*b)[0]);
 }
 
-/// Multiplies the samples' weights by the density and scales them to the sum 1. Returns the number of samples that weigh more
-/// than black.
+/// Multiplies the weights of the samples by the image's grey value or by the solid angle, and scales them to the sum 1. Returns
+/// the number of samples that are not black.
 std::size_t weigh(const FitWeight& weight, const Lens& source, std::vector<Correspondence>& samples) {
-  const double floor = weight.kind == WeightKind::kImage ? kBlack * brightest(*weight.density) : 0.0;
+  const double floor = weight.kind == WeightKind::kImage ? kWeightOfBlack * brightest(*weight.density) : 0.0;
   std::size_t counted = 0;
   double sum = 0.0;
   for (Correspondence& sample : samples) {
@@ -87,8 +88,8 @@ std::size_t weigh(const FitWeight& weight, const Lens& source, std::vector<Corre
   return counted;
 }
 
-/// Samples of about `count` pixels on an even grid, at most one per pixel, that lie in the field of view. An image of weights
-/// may have edges anywhere, and the few radii of sample() could all lie on one side of a circular edge.
+/// Samples on an even grid that has about `count` points in the image, at most one per pixel. Points outside the field of view
+/// are dropped. An image of weights may have edges anywhere: the few radii of sample() could all be on one side of a circle.
 std::vector<Correspondence> grid_of(const Lens& source, const FieldOfView& field_of_view, int count) {
   const auto [width, height] = field_of_view.size;
   const double side = std::max(1.0, std::sqrt(static_cast<double>(width) * height / count));
@@ -112,7 +113,7 @@ bool has_equal_weights(const FitWeight& weight) {
   return *darkest == *lightest && *lightest > 0.0F;
 }
 
-bool counts_any(const GreyImage& density, const Lens& source, const FieldOfView& field_of_view) {
+bool has_weight(const GreyImage& density, const Lens& source, const FieldOfView& field_of_view) {
   std::size_t i = 0;
   for (int v = 0; v < density.height; ++v) {
     for (int u = 0; u < density.width; ++u, ++i) {
@@ -128,25 +129,25 @@ WeightedSamples weighted_samples(const FitWeight& weight, const Lens& source, co
     result.counted = weight.kind == WeightKind::kPixel ? result.samples.size() : weigh(weight, source, result.samples);
     return result;
   }
-  // An image may be black nearly everywhere.
-  constexpr int kFiner = 16;
-  constexpr int kMost = 50'000;
+  // An image may be black nearly everywhere: makes the grid finer until half of `count` samples are not black.
+  constexpr int kFiner = 16;  // points of the first grid, as a multiple of `count`
+  constexpr int kMostPoints = 50'000;
   WeightedSamples result;
-  int finer = std::min(kFiner * count, kMost);
+  int finer = std::min(kFiner * count, kMostPoints);
   while (true) {
     result.samples = grid_of(source, field_of_view, finer);
     result.counted = weigh(weight, source, result.samples);
-    if (2 * result.counted >= static_cast<std::size_t>(count) || finer >= kMost) return result;
-    finer = std::min(2 * finer, kMost);
+    if (2 * result.counted >= static_cast<std::size_t>(count) || finer >= kMostPoints) return result;
+    finer = std::min(2 * finer, kMostPoints);
   }
 }
 
 double weighted_rms(const FitWeight& weight, const Lens& source, const CameraModel& target, const FieldOfView& field_of_view,
                     double max_angle_rad, const Transform* T_target_source) {
-  constexpr int kPlaces = 3000;
+  constexpr int kSamples = 3000;
   double squares = 0.0;
   double sum = 0.0;
-  for (const Correspondence& sample : weighted_samples(weight, source, field_of_view, kPlaces).samples) {
+  for (const Correspondence& sample : weighted_samples(weight, source, field_of_view, kSamples).samples) {
     if (angle_from_axis(sample.ray) > max_angle_rad) continue;
     const std::optional<Pixel> pixel =
         project(target, T_target_source != nullptr ? rotated(*T_target_source, sample.ray) : sample.ray);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples with unequal weights.
+// Samples with unequal weights (FitWeight): by solid angle, or by an image of weights.
 #pragma once
 
 #include <fca/convert/field_of_view.h>
@@ -12,24 +12,25 @@
 
 namespace fca::internal {
 
-/// True if all pixels have the same weight. A fit is then identical to that with FitWeight(), to the last bit.
+/// True if all pixels have the same weight. A fit with FitWeight() is then the same to the last bit.
 [[nodiscard]] bool has_equal_weights(const FitWeight& weight);
 
-/// True if `density`, an image of the field of view's size, is not black at every pixel of the field of view.
-[[nodiscard]] bool counts_any(const GreyImage& density, const Lens& source, const FieldOfView& field_of_view);
+/// True if at least one pixel of the field of view is not black in `density`, an image of the field of view's size.
+[[nodiscard]] bool has_weight(const GreyImage& density, const Lens& source, const FieldOfView& field_of_view);
 
-/// About as many samples as requested, whose weights sum to 1: those of sample() or, for an image of weights, a grid with more
-/// samples, since the image may have edges. `counted`: the number of samples that weigh more than black.
+/// Samples whose weights sum to 1.
 struct WeightedSamples {
   std::vector<Correspondence> samples;
-  std::size_t counted = 0;
+  std::size_t counted = 0;  ///< The number of samples that are not black.
 };
+/// About `count` samples, those of sample(), with their weights multiplied by `weight`. For an image of weights, the samples
+/// are a grid with more points instead, since such an image may have edges and may be black nearly everywhere.
 [[nodiscard]] WeightedSamples weighted_samples(const FitWeight& weight, const Lens& source, const FieldOfView& field_of_view,
                                                int count);
 
-/// The weighted rms [px] of the errors of `target` over those rays of the field of view, up to `max_angle_rad` from the
-/// source's axis, for which it has a pixel. `T_target_source` rotates the rays first unless it is null. 0 if there are no such
-/// rays.
+/// The weighted rms [px] of the errors of `target` over the rays of the field of view that are at most `max_angle_rad` from the
+/// source's axis and have a pixel in `target`. Unless `T_target_source` is null, it first rotates the rays. 0 if there are no
+/// such rays.
 [[nodiscard]] double weighted_rms(const FitWeight& weight, const Lens& source, const CameraModel& target,
                                   const FieldOfView& field_of_view, double max_angle_rad,
                                   const Transform* T_target_source = nullptr);

@@ -31,10 +31,11 @@ double sigma_of_pixel(const ParameterJacobian& jacobian, const Covariance& covar
 }
 
 double sigma_bound_of_pixel(const ParameterJacobian& jacobian, const Eigen::VectorXd& sigmas) {
-  // All sums of +-J_i sigma_i fill a polygon that is symmetric about 0, with sides 2 J_i sigma_i; its farthest corner is the
-  // bound. First all sides point into the upper half plane, and their sum is a corner. Then one side after the other, by its
-  // angle, changes its sign: that visits half of the corners, and the others are their mirror images.
-  std::vector<Eigen::Vector2d> sides;
+  // The sums of c_i J_i sigma_i with -1 <= c_i <= 1 fill a polygon with the sides 2 J_i sigma_i that is symmetric about 0. The
+  // bound is the distance of its farthest corner from 0. If all vectors J_i sigma_i point into the upper half plane, their sum
+  // is a corner. Changing the signs of the vectors one after the other, in the order of their angles, leads to the next
+  // corners. They are half of all corners; the other half are their mirror images.
+  std::vector<Eigen::Vector2d> sides;  // each is half a side
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();
   for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
     Eigen::Vector2d side = jacobian.col(i) * sigmas[i];

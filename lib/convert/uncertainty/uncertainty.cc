@@ -26,10 +26,12 @@ using Eigen::MatrixXd;
 using internal::ParameterJacobian;
 using internal::PixelJacobian;
 
-bool is_of(const Uncertainty& uncertainty, const CameraModel& model) {
+/// True if the uncertainty is that of a camera of this model.
+bool belongs_to(const Uncertainty& uncertainty, const CameraModel& model) {
   return uncertainty.model == model_info(model).id && uncertainty.sigmas.size() == parameter_values(model).size();
 }
 
+/// The standard deviation of a pixel [px]; without a covariance, its upper bound.
 double sigma_at(const ParameterJacobian& jacobian, const Uncertainty& uncertainty) {
   if (uncertainty.has_covariance()) return internal::sigma_of_pixel(jacobian, internal::covariance_of(uncertainty));
   const std::vector<double>& sigmas = uncertainty.sigmas;
@@ -37,13 +39,15 @@ double sigma_at(const ParameterJacobian& jacobian, const Uncertainty& uncertaint
                                         Eigen::Map<const Eigen::VectorXd>(sigmas.data(), static_cast<Index>(sigmas.size())));
 }
 
+/// The columns of `all` with the indices `which`, in that order.
 MatrixXd columns_of(const MatrixXd& all, std::span<const std::size_t> which) {
   MatrixXd some(all.rows(), static_cast<Index>(which.size()));
   for (std::size_t i = 0; i < which.size(); ++i) some.col(static_cast<Index>(i)) = all.col(static_cast<Index>(which[i]));
   return some;
 }
 
-/// The covariance of all parameters, with zeros for those that are not free.
+/// The uncertainty of all parameters of `model`. `of_free`: the covariance of the parameters with the indices `free`. The
+/// others are exactly known: their variances are 0.
 Uncertainty with_held(const MatrixXd& of_free, std::span<const std::size_t> free, const CameraModel& model) {
   const auto count = static_cast<Index>(parameter_values(model).size());
   MatrixXd all = MatrixXd::Zero(count, count);
@@ -62,9 +66,10 @@ struct Place {
   Pixel pixel{};
   Ray ray{};
   double weight = 0.0;
-  double error_px = 0.0;  ///< Error of the conversion.
+  double error_px = 0.0;  ///< The error of the conversion; 0 if it is not known or the conversion is exact.
 };
 
+/// A sum of weighted squares, whose root() is the weighted rms.
 struct MeanSquare {
   double squares = 0.0;
   double weights = 0.0;
@@ -75,10 +80,11 @@ struct MeanSquare {
   [[nodiscard]] double root() const { return weights > 0.0 ? std::sqrt(squares / weights) : 0.0; }
 };
 
-/// Summarises the uncertainty over the places; nullopt if there are none, or the uncertainty is not that of `model`.
+/// Summarises the uncertainty over the places. nullopt if there are no places, if the uncertainty is not that of `model`, or if
+/// a place has no Jacobian.
 std::optional<PixelUncertainty> summary_of(const CameraModel& model, const Uncertainty& uncertainty,
                                            std::span<const Place> places, std::span<const ErrorBand> bands) {
-  if (places.empty() || !is_of(uncertainty, model)) return std::nullopt;
+  if (places.empty() || !belongs_to(uncertainty, model)) return std::nullopt;
   std::vector<Correspondence> samples;
   samples.reserve(places.size());
   for (const Place& place : places) samples.push_back({place.ray, place.pixel, 1.0});
@@ -107,7 +113,7 @@ std::optional<PixelUncertainty> summary_of(const CameraModel& model, const Uncer
   return result;
 }
 
-/// The scored points of a conversion's lattice, including the image's border.
+/// The scored points of the lattice on which a conversion is evaluated, including points on the image's border.
 std::vector<Place> lattice_of(const Camera& source, const CameraModel& target, const ConversionReport& report,
                               const FieldOfView& field_of_view) {
   const double max_angle_rad = report.angle_reduced ? report.scored_to_deg * std::numbers::pi / 180.0 : std::numbers::pi;
@@ -121,6 +127,7 @@ std::vector<Place> lattice_of(const Camera& source, const CameraModel& target, c
   return places;
 }
 
+/// The entries of a table of rays, without errors.
 std::vector<Place> places_of(std::span<const Correspondence> table) {
   std::vector<Place> places;
   places.reserve(table.size());
@@ -128,7 +135,8 @@ std::vector<Place> places_of(std::span<const Correspondence> table) {
   return places;
 }
 
-/// The entries of the source's table to which the model was fitted.
+/// The entries of the source's table to which the model was fitted: those in the image and inside the scored angle for which
+/// the model has a pixel.
 std::vector<Correspondence> fitted_entries(const Camera& source, const CameraModel& target, const ConversionReport& report) {
   constexpr double kRounding = 1e-9;  // rad
   const double max_angle_rad = report.scored_to_deg * std::numbers::pi / 180.0 + kRounding;
@@ -142,7 +150,9 @@ std::vector<Correspondence> fitted_entries(const Camera& source, const CameraMod
   return table;
 }
 
-std::optional<PixelUncertainty> of_table(const Camera& source, const CameraModel& target, const ConversionReport& report) {
+/// The uncertainty of a model that was fitted to a table of rays, from the residuals of the fit; nullopt if it is not known.
+std::optional<PixelUncertainty> uncertainty_of_table(const Camera& source, const CameraModel& target,
+                                                     const ConversionReport& report) {
   const std::vector<Correspondence> table = fitted_entries(source, target, report);
   const std::optional<Uncertainty> fitted = uncertainty_of_residuals(target, table, report.at_bound);
   if (!fitted) return std::nullopt;
@@ -158,7 +168,7 @@ std::optional<PixelUncertainty> of_table(const Camera& source, const CameraModel
 
 std::optional<double> pixel_sigma(const CameraModel& model, const Uncertainty& uncertainty, const Ray& ray) {
   const std::optional<Pixel> pixel = project(model, ray);
-  if (!pixel || !is_of(uncertainty, model)) return std::nullopt;
+  if (!pixel || !belongs_to(uncertainty, model)) return std::nullopt;
   const double length = std::hypot(ray[0], ray[1], ray[2]);
   const Correspondence sample{{ray[0] / length, ray[1] / length, ray[2] / length}, *pixel, 1.0};
   const std::optional<PixelJacobian> jacobian = internal::jacobian_of(model, std::span(&sample, 1));
@@ -168,7 +178,7 @@ std::optional<double> pixel_sigma(const CameraModel& model, const Uncertainty& u
 std::optional<Uncertainty> uncertainty_of_fit(const CameraModel& source, const Uncertainty& uncertainty,
                                               const CameraModel& target, std::span<const std::string> held,
                                               const FieldOfView& field_of_view) {
-  if (!uncertainty.has_covariance() || !is_of(uncertainty, source)) return std::nullopt;
+  if (!uncertainty.has_covariance() || !belongs_to(uncertainty, source)) return std::nullopt;
   std::vector<Correspondence> samples = sample(source, field_of_view);
   std::erase_if(samples, [&target](const Correspondence& each) { return !project(target, each.ray); });
   const std::optional<PixelJacobian> of_source = internal::jacobian_of(source, samples);
@@ -176,8 +186,9 @@ std::optional<Uncertainty> uncertainty_of_fit(const CameraModel& source, const U
   const std::vector<std::size_t> free = internal::free_parameters(target, held);
   if (!of_source || !of_target || 2 * samples.size() < free.size()) return std::nullopt;
   const MatrixXd columns = columns_of(of_target->columns, free);
-  const MatrixXd follows = columns.completeOrthogonalDecomposition().solve(of_source->columns);
-  return with_held(follows * internal::covariance_of(uncertainty) * follows.transpose(), free, target);
+  // The derivatives of the target's free parameters with respect to the source's parameters (M in README.md).
+  const MatrixXd derivative = columns.completeOrthogonalDecomposition().solve(of_source->columns);
+  return with_held(derivative * internal::covariance_of(uncertainty) * derivative.transpose(), free, target);
 }
 
 std::optional<Uncertainty> uncertainty_of_residuals(const CameraModel& fitted, std::span<const Correspondence> table,
@@ -191,9 +202,9 @@ std::optional<Uncertainty> uncertainty_of_residuals(const CameraModel& fitted, s
   if (!jacobian) return std::nullopt;
   const Eigen::ColPivHouseholderQR<MatrixXd> factors(columns_of(jacobian->columns, free));
   if (factors.rank() < static_cast<Index>(free.size())) return std::nullopt;
-  const auto freedom = static_cast<double>(2 * entries.size() - free.size());
-  const double variance = jacobian->residuals.squaredNorm() / freedom;
-  // J P = Q R: (J'J)^-1 = P (R'R)^-1 P'.
+  const auto degrees_of_freedom = static_cast<double>(2 * entries.size() - free.size());
+  const double variance = jacobian->residuals.squaredNorm() / degrees_of_freedom;
+  // With the pivoted factorisation J P = Q R, (J'J)^-1 is P (R'R)^-1 P'.
   const auto count = static_cast<Index>(free.size());
   const MatrixXd R = factors.matrixR().topLeftCorner(count, count).triangularView<Eigen::Upper>();
   const MatrixXd inverse = factors.colsPermutation() * R.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(count, count));
@@ -203,7 +214,7 @@ std::optional<Uncertainty> uncertainty_of_residuals(const CameraModel& fitted, s
 std::optional<PixelUncertainty> pixel_uncertainty(const Camera& source, const Camera& target, const ConversionReport& report,
                                                   const Uncertainty* stated, std::optional<double> max_angle_rad) {
   if (!target.rays.empty()) return std::nullopt;
-  if (!source.rays.empty()) return of_table(source, target.model, report);
+  if (!source.rays.empty()) return uncertainty_of_table(source, target.model, report);
   if (stated == nullptr) return std::nullopt;
   Diagnostics reported_before;
   const std::optional<FieldOfView> field_of_view = field_of_view_of(source, max_angle_rad, reported_before);
@@ -235,8 +246,8 @@ double least_variance(const Uncertainty& uncertainty) {
 Uncertainty with_pixels(const Uncertainty& uncertainty, const CameraModel& model, const PixelMap& map) {
   Uncertainty result = uncertainty;
   result.values.clear();
-  if (!is_of(uncertainty, model)) return result;
-  // with_pixels() of a model is affine in each of its parameters.
+  if (!belongs_to(uncertainty, model)) return result;
+  // The parameters of the mapped model are affine functions of each parameter of the model: difference quotients are exact.
   const auto count = static_cast<Index>(uncertainty.sigmas.size());
   const auto mapped = [&map](const CameraModel& each) {
     const CameraModel changed = with_pixels(each, map);

@@ -27,7 +27,7 @@ RC_GTEST_PROP(RadialBorders, LieWhereTheModelHasThatAngle, ()) {
   const auto place = [] { return static_cast<double>(*rc::gen::inRange(-200, 900)); };
   const Line line = {{place(), place()}, {place(), place()}};
   RC_PRE(line.length() > 1.0);
-  const LineSpan inside = borders->past(line).inside(borders->radii().front());
+  const LineSpan inside = borders->among_circles(line).inside(borders->radii().front());
   for (const double end : {inside.begin, inside.end}) {
     if (!(end > 0.0 && end < 1.0)) continue;
     const std::optional<Ray> ray = unproject(model, line.at(end));
