@@ -15,13 +15,14 @@ inline constexpr double kNearlyAsGood = 1.1;
 /// A degree, and the ranges of parameters with which a fit has this degree.
 struct DegreeRanges {
   int degree = 0;                      ///< 0 if the model is no polynomial of variable degree.
-  std::vector<ParameterRange> ranges;  ///< The options' ranges, and free ones for the coefficients of a higher degree.
+  std::vector<ParameterRange> ranges;  ///< The options' ranges, and unlimited ones for further coefficients.
 };
 
 /// Returns the degrees that the options allow, the lowest first. There is only one if the options set a degree or have a range
 /// for a coefficient beyond the lowest degree, or if the target is no polynomial of variable degree.
 [[nodiscard]] std::vector<DegreeRanges> degrees_to_try(const ModelInfo& target, const ConvertOptions& options);
 
+/// A fit with one degree.
 struct DegreeFit {
   FieldOfViewFit fit;
   std::vector<ParameterRange> ranges;     ///< The ranges of this fit.

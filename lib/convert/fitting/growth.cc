@@ -41,13 +41,14 @@ double radial_condition(const double* p, double r, double* derivatives) {
   return radtan_condition({3.0, 5.0, 7.0}, 6.0, p, r, derivatives);
 }
 
-/// The condition (A + 3 L - 16 P r) / 4 > 0, with the same A and L. It is about azimuths other than that of the tangential
-/// terms.
+/// The condition (A + 3 L - 16 P r) / 4 > 0, with the same A and L. If it fails, the Jacobian may become singular at another
+/// azimuth than the one that radial_condition() is about.
 double azimuth_condition(const double* p, double r, double* derivatives) {
   return radtan_condition({1.5, 2.0, 2.5}, 4.0, p, r, derivatives);
 }
 
-/// The minimum of a function that has one local minimum between `low` and `high`, by golden-section search.
+/// Finds the x between `low` and `high` at which value_at(x) is smallest, by golden-section search. The function must have one
+/// local minimum there.
 template <class Function>
 double minimum_between(double low, double high, const Function& value_at) {
   constexpr int kSections = 60;

@@ -18,6 +18,7 @@ struct NormalEquations {
 /// when a point has no pixel. The solver then rejects the step.
 using Evaluate = std::function<bool(const double* parameters, NormalEquations& sums)>;
 
+/// The result of minimise().
 struct Minimum {
   bool usable = false;  ///< False if the start could not be evaluated.
   double cost = 0.0;    ///< Sum of squared residuals.

@@ -24,8 +24,8 @@ class SampleJacobian {
 
   /// The number of rows: those of u for all samples, then those of v.
   [[nodiscard]] std::size_t rows() const { return 2 * samples_.size(); }
-  /// The Jacobian's columns and the residuals [px] at the parameters of the last compute_jacobian(). Both are times the square
-  /// roots of the samples' weights.
+  /// The Jacobian's columns and the residuals [px] at the parameters of the last compute_jacobian(), valid until the next call
+  /// of evaluate(). Both are times the square roots of the samples' weights.
   [[nodiscard]] std::span<const Column> columns() const { return columns_; }
   [[nodiscard]] Column residuals() { return {out().column(target_.parameters().size()), 0, rows()}; }
 
