@@ -17,7 +17,7 @@ constexpr int kMostUnknowns = static_cast<int>(kMostTerms) + 3;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMostUnknowns, kMostUnknowns>;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostUnknowns, 1>;
 
-/// Solves A x = b by Cholesky's method, after scaling the unknowns so that A's diagonal is 1; nullopt if A is not positive
+/// Solves A x = b by Cholesky's method, after scaling the unknowns so that A's diagonal is 1. nullopt if A is not positive
 /// definite.
 std::optional<Vector> solve_definite(const Matrix& A, const Vector& b) {
   const Vector diagonal = A.diagonal();
@@ -32,8 +32,8 @@ std::optional<Vector> solve_definite(const Matrix& A, const Vector& b) {
   return Vector(unit.cwiseProduct(solution));
 }
 
-/// The dot products of all pairs of one axis' columns: the model's terms, then ones (for cx or cy), each times the square root
-/// of the points' weights.
+/// The dot products of all pairs of columns of one image axis: the model's terms, then the column of cx or cy, which are all
+/// times the square roots of the points' weights.
 Matrix moments(std::span<const Column> columns) {
   const auto n = static_cast<Eigen::Index>(columns.size());
   Matrix result(n, n);
@@ -69,8 +69,9 @@ std::optional<AspectFit::Solution> AspectFit::solve(double aspect) {
   const Matrix moments_u = moments(of_u);
   const Matrix moments_v = moments(of_v);
 
-  // The matrix J^T J of the Gauss-Newton step at the unknowns x, from the dot products, which do not change from round to
-  // round. Residuals are computed point by point in every round: rounding in the dot products then costs rounds, not accuracy.
+  // The matrix J^T J of the Gauss-Newton step at the unknowns x. It is computed from the dot products, which are the same in
+  // every round. The residuals are computed point by point in every round: rounding errors of the dot products then cost
+  // additional rounds but no accuracy.
   const auto hessian_at = [&](const Vector& x) {
     const double a = x[n + 2];
     Matrix H = Matrix::Zero(n + 3, n + 3);
@@ -120,8 +121,9 @@ std::optional<AspectFit::Solution> AspectFit::solve(double aspect) {
     dot_products(std::span(&r_v, 1), r_v, &cost_v);
     const double cost = cost_u + cost_v;
     // The iteration diverges if the cost grows by more than rounding errors.
-    constexpr double kExact = 1e-20;  // px^2
-    if (!std::isfinite(cost) || (round > 1 && cost > previous * (1.0 + 1e-9) + kExact)) return std::nullopt;
+    constexpr double kExactCost = 1e-20;  // px^2
+    constexpr double kRounding = 1e-9;
+    if (!std::isfinite(cost) || (round > 1 && cost > previous * (1.0 + kRounding) + kExactCost)) return std::nullopt;
     previous = cost;
 
     Vector sums_u(n + 1);
@@ -133,7 +135,7 @@ std::optional<AspectFit::Solution> AspectFit::solve(double aspect) {
     gradient[n] = sums_u[n];
     gradient[n + 1] = sums_v[n];
     gradient[n + 2] = sums_v.head(n).dot(x.head(n));
-    // In round 0 all coefficients are 0, and no pixel depends on the aspect ratio, so that it is not an unknown yet.
+    // In round 0 all coefficients are 0. No pixel then depends on the aspect ratio, which becomes an unknown in round 1.
     const Matrix H = hessian_at(x);
     const Eigen::Index unknowns = round == 0 ? n + 2 : n + 3;
     const std::optional<Vector> step = solve_definite(H.topLeftCorner(unknowns, unknowns), gradient.head(unknowns));
@@ -141,9 +143,9 @@ std::optional<AspectFit::Solution> AspectFit::solve(double aspect) {
     x.head(unknowns) -= *step;
     if (round == 0) continue;
     const double gain = gradient.dot(*step);
-    constexpr double kNothing = 1e-12;
-    constexpr double kNobodySees = 1e-26;  // px^2
-    if (gain > kNothing * cost && gain > kNobodySees) continue;
+    constexpr double kNegligibleGain = 1e-12;  // fraction of the cost
+    constexpr double kNegligibleCost = 1e-26;  // px^2
+    if (gain > kNegligibleGain * cost && gain > kNegligibleCost) continue;
     Solution solution;
     for (Eigen::Index i = 0; i < n; ++i) solution.coefficients[static_cast<std::size_t>(i)] = x[i];
     solution.aspect = x[n + 2];

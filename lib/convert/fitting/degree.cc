@@ -14,7 +14,8 @@ namespace fca::internal {
 
 namespace {
 
-/// The coefficients that a model of the lowest degree does not have.
+/// The coefficients that a polynomial of the lowest degree does not have, in ascending order of their powers. Empty if the
+/// model is no polynomial of variable degree.
 std::vector<ParameterId> higher_terms(std::string_view model) {
   std::vector<ParameterId> terms;
   ModelList::for_each([&]<CameraModelType M>() {
@@ -27,7 +28,7 @@ std::vector<ParameterId> higher_terms(std::string_view model) {
   return terms;
 }
 
-/// The number of terms up to the last one that the caller's ranges leave free; nullopt if no range names a term.
+/// The number of `terms` up to the last one that the options' ranges let differ from 0. nullopt if no range is about a term.
 std::optional<std::size_t> freed_by_ranges(const ConvertOptions& options, const std::vector<ParameterId>& terms) {
   std::optional<std::size_t> count;
   for (const ParameterRange& range : options.ranges) {
@@ -40,6 +41,7 @@ std::optional<std::size_t> freed_by_ranges(const ConvertOptions& options, const 
   return count;
 }
 
+/// Fits the target with the given degree and its ranges.
 DegreeFit fit_with(const FitTask& task, const DegreeRanges& degree) {
   ConvertOptions options = task.options;
   options.ranges = degree.ranges;
@@ -47,9 +49,9 @@ DegreeFit fit_with(const FitTask& task, const DegreeRanges& degree) {
   return {std::move(usual.fit), std::move(usual.ranges), degree.degree, std::move(usual.unusual)};
 }
 
-/// The number of points of the image's border that have a ray. A fitted polynomial may have a maximum inside the image, outside
-/// the angles that it was fitted to; pixels beyond that have no ray.
-int rays_at_border(const DegreeFit& each, const ImageSize& size) {
+/// The number of pixels with a ray, of 36 at the image's border. A fitted polynomial may have a maximum inside the image,
+/// outside the angles that were fitted. Pixels beyond this maximum have no ray.
+int rays_at_border(const DegreeFit& fit, const ImageSize& size) {
   constexpr int kSteps = 8;  // along each side
   const double right = size.width - 1.0;
   const double bottom = size.height - 1.0;
@@ -58,7 +60,7 @@ int rays_at_border(const DegreeFit& each, const ImageSize& size) {
     const double u = right * i / kSteps;
     const double v = bottom * i / kSteps;
     for (const Pixel& pixel : {Pixel{u, 0.0}, Pixel{u, bottom}, Pixel{0.0, v}, Pixel{right, v}})
-      rays += unproject(each.fit.fitted.model->model, pixel) ? 1 : 0;
+      rays += unproject(fit.fit.fitted.model->model, pixel) ? 1 : 0;
   }
   return rays;
 }
@@ -68,7 +70,7 @@ double rms_of(const DegreeFit& each) { return each.fit.rms_px; }
 }  // namespace
 
 std::vector<DegreeRanges> degrees_to_try(const ModelInfo& target, const ConvertOptions& options) {
-  constexpr double kAny = std::numeric_limits<double>::infinity();
+  constexpr double kUnlimited = std::numeric_limits<double>::infinity();
   const std::vector<ParameterId> terms = higher_terms(target.id);
   if (terms.empty()) return {{target.least_degree, options.ranges}};
   if (const std::optional<std::size_t> freed = freed_by_ranges(options, terms))
@@ -78,7 +80,7 @@ std::vector<DegreeRanges> degrees_to_try(const ModelInfo& target, const ConvertO
   for (std::size_t count = 0; count <= terms.size(); ++count) {
     const int degree = target.least_degree + static_cast<int>(count);
     if (!options.degree || degree == *options.degree) degrees.push_back({degree, ranges});
-    if (count < terms.size()) ranges.push_back({terms[count], -kAny, kAny});
+    if (count < terms.size()) ranges.push_back({terms[count], -kUnlimited, kUnlimited});
   }
   return degrees;
 }
@@ -90,18 +92,18 @@ std::vector<DegreeFit> fit_degrees(const FitTask& task) {
     fits.push_back(fit_with(task, degrees.front()));
     return fits;
   }
-  constexpr double kSameShare = 1e-3;
-  const auto reached = [](const DegreeFit& each) { return each.fit.score.statistics.coverage.scored; };
+  constexpr double kNegligibleShare = 1e-3;  // of the image
+  const auto covered = [](const DegreeFit& each) { return each.fit.score.statistics.coverage.scored; };
   for (const DegreeRanges& degree : degrees) {
     DegreeFit fit = fit_with(task, degree);
     const bool has_model = fit.fit.fitted.model.has_value();
-    const bool reaches_less =
+    const bool covers_less =
         has_model && !fits.empty() &&
-        (reached(fit) < reached(fits.front()) - kSameShare ||
+        (covered(fit) < covered(fits.front()) - kNegligibleShare ||
          rays_at_border(fit, task.field_of_view.size) < rays_at_border(fits.front(), task.field_of_view.size));
-    const bool is_no_camera = !has_model && fits.empty();
-    if ((has_model && !reaches_less) || is_no_camera) fits.push_back(std::move(fit));
-    if (is_no_camera) return fits;
+    const bool first_failed = !has_model && fits.empty();
+    if ((has_model && !covers_less) || first_failed) fits.push_back(std::move(fit));
+    if (first_failed) return fits;
     if (rms_of(fits.back()) < kGoodEnoughPx) break;
   }
   const double enough = std::max(kGoodEnoughPx, kNearlyAsGood * rms_of(*std::ranges::min_element(fits, {}, rms_of)));

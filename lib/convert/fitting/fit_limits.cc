@@ -8,12 +8,12 @@ namespace fca::internal {
 FitLimits::FitLimits(const FitTarget& target, std::span<const ParameterRange> ranges) {
   for (std::size_t i = 0; i < target.parameters().size(); ++i) {
     const Parameter& p = target.parameters()[i];
-    // The bounds of an open range are excluded, but the best fit may lie close to one: if a range keeps alpha of eucm above
-    // 0.5, it becomes a pinhole as beta goes to 0.
-    constexpr double kHair = 1e-6;
+    // An open range does not contain its bounds, but the best fit may be close to one. (If a range keeps alpha of eucm above
+    // 0.5, the camera becomes a pinhole as beta approaches 0.) A fit therefore stays this far inside.
+    constexpr double kDistanceToOpenBound = 1e-6;
     const double furthest = std::min(p.furthest, kLargestParameter);
-    lower[i] = std::max(p.lower + (p.open ? kHair : 0.0), -furthest);
-    upper[i] = std::min(p.upper - (p.open ? kHair : 0.0), furthest);
+    lower[i] = std::max(p.lower + (p.open ? kDistanceToOpenBound : 0.0), -furthest);
+    upper[i] = std::min(p.upper - (p.open ? kDistanceToOpenBound : 0.0), furthest);
     held[i] = target.held(i);
     for (const ParameterRange& range : ranges) {
       if (range.parameter.name() != p.name) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which parameters of a model a fit may change, and how far.
+// The ranges of a model's parameters in a fit, and the parameters that the fit must not change.
 #pragma once
 
 #include <fca/convert/fit_target.h>
@@ -12,9 +12,10 @@ namespace fca::internal {
 struct FitLimits {
   ParameterValues lower{};
   ParameterValues upper{};
-  std::array<bool, kMostParameters> held{};  ///< True if a fit never changes the parameter, whatever its bounds.
+  /// True if fits of the model leave the parameter at its start (FitTarget::held), and `ranges` has no range for it.
+  std::array<bool, kMostParameters> held{};
 
-  /// Takes the model's own ranges and narrows them by `ranges`.
+  /// Begins with the model's own ranges and narrows them by `ranges`.
   FitLimits(const FitTarget& target, std::span<const ParameterRange> ranges);
 
   /// True if a fit cannot change the parameter: it is held, or its range is one value.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conditions on the parameters of a camera under which its image radius grows with the angle, for models whose radius may turn
-// back inside a lens.
+// Conditions on a camera's parameters under which the image radius grows with the angle from the axis. They are for models
+// whose radius may start to shrink within a lens's field of view (radtan).
 #pragma once
 
 #include <fca/convert/fit_target.h>
@@ -10,17 +10,18 @@
 
 namespace fca::internal {
 
-/// A function of the parameters p and r = tan(angle from the axis). The camera's domain ends at the smallest r at which one of
-/// its model's conditions is not positive. On the axis each condition is 1.
+/// A function of the parameters p and of r = tan(angle from the axis), for angles below 90 degrees. The condition holds where
+/// the value is positive. On the axis the value is 1. The camera's domain ends at the smallest r at which the value of a
+/// condition of its model is zero or negative.
 ///
-/// `derivatives`: null, or receives the derivatives by all parameters. The function is concave in p. So a tangent plane at any
-/// p is nowhere below it, and the cameras whose condition holds at all r are a convex set.
+/// `derivatives` receives the derivatives with respect to all parameters unless it is null. The function is concave in p. Each
+/// tangent plane is therefore nowhere below the function, and the cameras whose condition holds at all r are a convex set.
 using GrowthCondition = double (*)(const double* p, double r, double* derivatives);
 
-/// The conditions of a model; empty if its fits need none.
+/// The conditions of the model with the id `model`; empty if fits of this model need none.
 [[nodiscard]] std::span<const GrowthCondition> growth_conditions(std::string_view model);
 
-/// The r of each local minimum of one condition on [0, furthest] whose value is below `limit`, ascending.
-[[nodiscard]] std::vector<double> minima_below(double limit, GrowthCondition condition, const double* p, double furthest);
+/// Returns the r of each local minimum of a condition on [0, largest_r] whose value is below `limit`, in ascending order.
+[[nodiscard]] std::vector<double> minima_below(double limit, GrowthCondition condition, const double* p, double largest_r);
 
 }  // namespace fca::internal

@@ -12,15 +12,18 @@ namespace fca::internal {
 
 namespace {
 
-/// A few samples with one array per component. A constant length, short enough for the stack, lets the compiler vectorise
-/// loops.
+/// The number of samples that are computed together. It is constant, so that the compiler vectorises the loops, and small
+/// enough for the stack.
 constexpr std::size_t kBlock = 16;
 using Lane = std::array<double, kBlock>;
 
+/// kBlock samples, with one array per component.
 struct Block {
-  Lane x, y, z, u, v, root;
+  Lane x, y, z;  ///< The rays.
+  Lane u, v;     ///< The pixels.
+  Lane root;     ///< The square roots of the weights.
 
-  /// Copies the samples from `begin` on; repeats the last sample if fewer than kBlock are left.
+  /// Copies the samples from index `begin` on. Repeats the last sample if fewer than kBlock remain.
   Block(std::span<const Correspondence> samples, std::span<const double> roots, std::size_t begin) {
     for (std::size_t k = 0; k < kBlock; ++k) {
       const std::size_t at = std::min(begin + k, samples.size() - 1);
@@ -35,7 +38,8 @@ struct Block {
   }
 };
 
-/// Copies the first `count` numbers. A full block has a constant length, which takes a few instructions.
+/// Copies the first `count` numbers of a lane. For a full lane the length is constant, so that the copy takes only a few
+/// instructions.
 void copy(const Lane& lane, std::size_t count, double* to) {
   if (count == kBlock) {
     std::memcpy(to, lane.data(), sizeof lane);
@@ -44,6 +48,7 @@ void copy(const Lane& lane, std::size_t count, double* to) {
   }
 }
 
+/// Implements jacobian_columns() for the model M.
 template <class M>
 bool columns_of(const double* p, std::span<const Correspondence> samples, const JacobianColumns& out) {
   constexpr std::size_t kCount = kParameterCount<M>;
@@ -56,7 +61,7 @@ bool columns_of(const double* p, std::span<const Correspondence> samples, const 
     double missing = 0.0;
     for (std::size_t k = 0; k < kBlock; ++k) {
       const double ray[3] = {block.x[k], block.y[k], block.z[k]};
-      double pixel[2] = {block.u[k], block.v[k]};  // a start for models that iterate
+      double pixel[2] = {block.u[k], block.v[k]};  // the first guess of models whose formula iterates
       double du[kCount] = {};
       double dv[kCount] = {};
       missing += M::formula_and_derivatives(parameters.data(), ray, pixel, du, dv) ? 0.0 : 1.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A listed model as a FitTarget. Its derivatives are its own (formula_and_derivatives) or, if it has none, Ceres' automatic
-// ones.
+// The FitTarget of a listed model. The derivatives are those of the model (formula_and_derivatives) or, if it has none, those
+// of Ceres' automatic differentiation.
 #pragma once
 
 #include "jacobian_columns.h"
@@ -11,6 +11,7 @@
 
 namespace fca::internal {
 
+/// The FitTarget of the listed model M.
 template <CameraModelType M>
 class JetTarget : public FitTargetOf<M> {
  public:
@@ -31,7 +32,7 @@ class JetTarget : public FitTargetOf<M> {
         std::array<std::array<double, kCount>, 2> derivatives;
         for (std::size_t axis = 0; axis < 2; ++axis) {
           for (std::size_t i = 0; i < kCount; ++i) {
-            // At an edge of the formula's domain a derivative may be NaN or infinite.
+            // At the edge of the formula's domain a derivative may be NaN or infinite. It is then taken as 0.
             const double derivative = pixel[axis].v[static_cast<int>(i)];
             derivatives[axis][i] = std::isfinite(derivative) ? derivative : 0.0;
           }

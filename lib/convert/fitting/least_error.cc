@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// See fca/convert/least_error.h.
 #include "fit_model.h"
 
 #include <fca/convert/fit_target.h>
@@ -18,7 +19,8 @@ namespace {
 
 using Index = Eigen::Index;
 
-/// The rays of a coarse grid of the image's pixels, of those within the lens.
+/// Samples at a grid of 12 x 12 pixels of the image: those within the lens circle that have a ray within `max_angle_rad` of the
+/// axis.
 std::vector<Correspondence> grid_of(const Camera& camera, std::optional<double> max_angle_rad) {
   constexpr int kSteps = 12;
   std::vector<Correspondence> samples;
@@ -34,9 +36,9 @@ std::vector<Correspondence> grid_of(const Camera& camera, std::optional<double> 
   return samples;
 }
 
-/// The sum of squares that remains of the pixels' coordinates, fitted by any sum of the columns.
+/// The smallest |coordinates - columns c|^2 that any coefficients c give.
 double least_squares(Eigen::MatrixXd columns, const Eigen::VectorXd& coordinates) {
-  // Powers of the angle or radius reach over many orders of magnitude.
+  // The columns are powers of the angle or radius, whose sizes differ by many orders of magnitude.
   for (Index i = 0; i < columns.cols(); ++i) columns.col(i).normalize();
   return (coordinates - columns * columns.colPivHouseholderQr().solve(coordinates)).squaredNorm();
 }
@@ -49,7 +51,7 @@ std::optional<double> least_rms_px(const Camera& camera, std::string_view model_
   const std::unique_ptr<internal::FitTarget> target = internal::fit_target_of(*model);
   const std::vector<Correspondence> samples = grid_of(camera, max_angle_rad);
   if (target->terms() == 0 || !target->shapes().empty() || samples.empty()) return std::nullopt;
-  // u = cx + c . along_u and v = cy + aspect c . along_v: each is fitted by itself, as if its numbers were its own.
+  // The model is u = cx + c . along_u, v = cy + aspect c . along_v. The limit fits u and v separately, each with its own c.
   const auto rows = static_cast<Index>(samples.size());
   const auto terms = static_cast<Index>(target->terms());
   Eigen::MatrixXd of_u = Eigen::MatrixXd::Ones(rows, terms + 1);

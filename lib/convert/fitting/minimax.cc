@@ -23,16 +23,16 @@ class ModelErrors final : public PointErrors {
  public:
   ModelErrors(const FitTarget& target, std::span<const Correspondence> points, const std::array<bool, kMostParameters>& fixed)
       : target_(target), points_(points), fixed_(fixed), jacobian_(target), pixels_(points.size()) {
-    for (const Correspondence& point : points_) lowest_ = std::min(lowest_, point.ray[2]);
+    for (const Correspondence& point : points_) lowest_cosine_ = std::min(lowest_cosine_, point.ray[2]);
   }
 
   [[nodiscard]] std::size_t size() const override { return points_.size(); }
 
   bool squares(std::span<const double> values, std::span<double> result) override {
-    // Compares the largest angle of all rays with the model's domain once. Only if they are too close to tell is each ray
-    // projected.
-    constexpr double kHair = 1e-9;
-    const bool all_within = lowest_ > std::cos(target_.max_angle(values.data())) + kHair;
+    // If the largest angle of all rays is inside the model's domain, no ray needs a test. Otherwise, or if it is close to the
+    // edge of the domain, project() tests each ray.
+    constexpr double kRoundingMargin = 1e-9;
+    const bool all_within = lowest_cosine_ > std::cos(target_.max_angle(values.data())) + kRoundingMargin;
     if (all_within && !target_.pixels(values.data(), points_, pixels_.data())) return false;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const Correspondence& point = points_[i];
@@ -66,10 +66,10 @@ class ModelErrors final : public PointErrors {
   std::array<bool, kMostParameters> fixed_;
   SampleJacobian jacobian_;
   std::vector<Pixel> pixels_;
-  double lowest_ = 1.0;  ///< Cosine of the largest angle from the axis.
+  double lowest_cosine_ = 1.0;  ///< Cosine of the rays' largest angle from the axis.
 };
 
-/// Minimises the largest error over the points, starting from `fit.model`, and updates `fit`.
+/// Minimises the largest error over the points, starting from `fit.model`, and writes the result to `fit`.
 void minimise_on(std::span<const Correspondence> points, std::span<const ParameterRange> ranges, double first_sharpness,
                  MinimaxFit& fit) {
   const std::unique_ptr<FitTarget> target = fit_target_of(fit.model);
@@ -95,7 +95,8 @@ void minimise_on(std::span<const Correspondence> points, std::span<const Paramet
   }
 }
 
-/// All scored points of the lattice and of the lens's edges, the worst first.
+/// Scores the points of the evaluation's lattice and of the lens's edges. Returns those for which the target has a pixel, the
+/// largest error first.
 std::vector<Point> scored_points(const Scorer& scorer) {
   std::vector<Point> points = score_lattice(scorer);
   constexpr int kAzimuths = 360;
@@ -108,40 +109,41 @@ std::vector<Point> scored_points(const Scorer& scorer) {
   return points;
 }
 
-/// Some hundreds of the points (or all, if there are fewer than 1,200), evenly spaced in the order of their cosines. The
-/// furthest from the axis is one of them: if it is in a model's domain, the others are too.
-std::vector<Point> few_of(std::vector<Point> points) {
-  constexpr std::size_t kFew = 600;
-  const std::size_t stride = std::max<std::size_t>(1, points.size() / kFew);
+/// Chooses 600 to 900 of the points, or all if there are fewer than 1,200. The points are evenly spaced in the order of their
+/// angles from the axis. The point furthest from the axis is included: if it is in a model's domain, so are the others.
+std::vector<Point> choose_few(std::vector<Point> points) {
+  constexpr std::size_t kFewest = 600;
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / kFewest);
   std::ranges::stable_sort(points, {}, &Point::cosine);
   std::vector<Point> few;
   for (std::size_t i = 0; i < points.size(); i += stride) few.push_back(points[i]);
   return few;
 }
 
-/// The local maxima of the error near the worst points.
-std::vector<Point> hilltops(const Scorer& scorer, std::span<const Point> worst_first) {
-  constexpr double kHigh = 0.97;  // fraction of the largest error
-  constexpr std::size_t kMost = 32;
+/// The local maxima of the error that a climb from one of the worst points reaches. Points close to an earlier point or maximum
+/// are no starts.
+std::vector<Point> error_maxima(const Scorer& scorer, std::span<const Point> worst_first) {
+  constexpr double kHighError = 0.97;  // fraction of the largest error
+  constexpr std::size_t kMostMaxima = 32;
   const ImageSize& size = scorer.field_of_view().size;
-  const double apart = std::max(size.width, size.height) / 20.0;
-  std::vector<Point> tops;
+  const double close = std::max(size.width, size.height) / 20.0;
+  std::vector<Point> maxima;
   std::vector<Pixel> known;
   for (const Point& point : worst_first) {
-    if (tops.size() >= kMost || point.error < kHigh * worst_first.front().error) break;
+    if (maxima.size() >= kMostMaxima || point.error < kHighError * worst_first.front().error) break;
     const auto near = [&](const Pixel& other) {
-      return std::hypot(point.pixel[0] - other[0], point.pixel[1] - other[1]) < apart;
+      return std::hypot(point.pixel[0] - other[0], point.pixel[1] - other[1]) < close;
     };
     if (std::ranges::any_of(known, near)) continue;
-    tops.push_back(climb(scorer, point.pixel));
+    maxima.push_back(climb(scorer, point.pixel));
     known.push_back(point.pixel);
-    known.push_back(tops.back().pixel);
+    known.push_back(maxima.back().pixel);
   }
-  return tops;
+  return maxima;
 }
 
-/// Adds the points whose error is at least `at_least` [px] to the set. False if there are none.
-bool add(const Scorer& scorer, std::span<const Point> points, double at_least, std::vector<Correspondence>& set) {
+/// Adds the points whose error is at least `at_least` [px] to `set`, with the source's rays. False if it adds none.
+bool add_points(const Scorer& scorer, std::span<const Point> points, double at_least, std::vector<Correspondence>& set) {
   bool added = false;
   for (const Point& point : points) {
     const std::optional<Ray> ray = scorer.source().ray(point.pixel);
@@ -152,6 +154,7 @@ bool add(const Scorer& scorer, std::span<const Point> points, double at_least, s
   return added;
 }
 
+/// The largest error [px] of the model at those points for which it has a pixel.
 double largest_error(const CameraModel& model, std::span<const Correspondence> points) {
   double largest = 0.0;
   for (const Correspondence& point : points) {
@@ -166,22 +169,22 @@ double largest_error(const CameraModel& model, std::span<const Correspondence> p
 MinimaxFit fit_largest_error(const CameraModel& source, const CameraModel& start, const FieldOfView& field_of_view,
                              double target_max_angle_rad, std::span<const ParameterRange> ranges) {
   constexpr int kMostExchanges = 12;
-  constexpr double kNobodySees = 1e-9;  // px; smaller errors are mostly rounding
-  constexpr double kWorthAPoint = 1.0005;
+  constexpr double kRoundingPx = 1e-9;       // smaller errors are mostly rounding
+  constexpr double kNewPointRatio = 1.0005;  // of a new point's error to the largest error at the points of the set
   MinimaxFit fit{start, 0, {}};
   std::vector<Correspondence> set;
-  double sharpness = kBlunt;
+  double sharpness = kLowSharpness;
   for (int exchange = 0; exchange <= kMostExchanges; ++exchange) {
     const Scorer scorer(source, &fit.model, nullptr, field_of_view, target_max_angle_rad);
     const std::vector<Point> points = scored_points(scorer);
-    if (points.empty() || points.front().error < kNobodySees) break;
-    bool more = set.empty() && add(scorer, few_of(points), 0.0, set);
-    const double at_least = kWorthAPoint * largest_error(fit.model, set);
-    more = add(scorer, points, at_least, set) || more;
-    more = add(scorer, hilltops(scorer, points), at_least, set) || more;
-    if (!more) break;
+    if (points.empty() || points.front().error < kRoundingPx) break;
+    bool added = set.empty() && add_points(scorer, choose_few(points), 0.0, set);
+    const double at_least = kNewPointRatio * largest_error(fit.model, set);
+    added = add_points(scorer, points, at_least, set) || added;
+    added = add_points(scorer, error_maxima(scorer, points), at_least, set) || added;
+    if (!added) break;
     minimise_on(set, ranges, sharpness, fit);
-    sharpness = kSharp;
+    sharpness = kHighSharpness;
   }
   return fit;
 }

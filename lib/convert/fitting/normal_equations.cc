@@ -10,12 +10,13 @@ namespace fca::internal {
 
 namespace {
 
-/// Four doubles, which a processor adds and multiplies in one instruction, or two at a time; the result is the same.
+/// Four doubles. A processor adds or multiplies all four in one instruction, or two at a time; the result is the same.
 using Four __attribute__((vector_size(32))) = double;
 constexpr std::size_t kFour = 4;
 
+/// The dot product of two arrays of `count` numbers.
 double dot(const double* a, const double* b, std::size_t count) {
-  // Four independent sums hide the latency of an addition.
+  // With four independent sums, an addition need not wait for the result of the one before.
   Four sums[4] = {};
   std::size_t k = 0;
   const auto add = [&](Four& sum) {
@@ -39,6 +40,7 @@ double dot(const double* a, const double* b, std::size_t count) {
   return result;
 }
 
+/// The dot product of two columns, over the rows at which both may differ from 0.
 double dot(const Column& a, const Column& b) {
   const std::size_t begin = std::max(a.begin, b.begin);
   const std::size_t end = std::min(a.end, b.end);

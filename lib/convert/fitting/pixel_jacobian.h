@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The derivatives of pixels with respect to the parameters of a camera.
 #pragma once
 
 #include <fca/convert/fit_target.h>
@@ -13,13 +14,15 @@
 
 namespace fca::internal {
 
-/// Derivatives of pixels by each parameter, times the square root of the sample's weight. The rows are u of all samples, then
-/// v.
+/// The residuals of samples and their derivatives. The rows are those of u for all samples, then those of v, each times the
+/// square root of the sample's weight.
 struct PixelJacobian {
-  Eigen::MatrixXd columns;    ///< One for each parameter.
-  Eigen::VectorXd residuals;  ///< Model's pixel minus sample's pixel [px], with the same factor.
+  /// The derivatives of the model's pixels with respect to the parameters, in px per unit of each parameter; one column per
+  /// parameter.
+  Eigen::MatrixXd columns;
+  Eigen::VectorXd residuals;  ///< The model's pixel minus the sample's pixel [px].
 
-  /// The rows of u and v of one sample.
+  /// The two rows (u, v) of the derivatives of one sample.
   [[nodiscard]] Eigen::Matrix<double, 2, Eigen::Dynamic> of(Eigen::Index sample) const {
     Eigen::Matrix<double, 2, Eigen::Dynamic> rows(2, columns.cols());
     rows << columns.row(sample), columns.row(columns.rows() / 2 + sample);
@@ -27,14 +30,14 @@ struct PixelJacobian {
   }
 };
 
-/// nullopt if a sample's ray has no pixel, or a derivative is not finite.
+/// The residuals of a camera and their derivatives. nullopt if a sample's ray has no pixel, or a number is not finite.
 [[nodiscard]] std::optional<PixelJacobian> jacobian_of(const CameraModel& model, std::span<const Correspondence> samples);
 
-/// Only the residuals of jacobian_of(); nullopt if a sample's ray has no pixel.
+/// The residuals of jacobian_of() alone. nullopt if a sample's ray has no pixel.
 [[nodiscard]] std::optional<Eigen::VectorXd> residuals_of(const CameraModel& model, std::span<const Correspondence> samples);
 
-/// Indices of the parameters that a fit may have changed: all but those in `held`, lens parameters that are 0, and those that
-/// fits of that model never change.
+/// Indices of the parameters that a fit may have changed. These are all except those with names in `held`, the lens parameters
+/// that are 0, and those that fits of the model leave at their start (FitTarget::held).
 [[nodiscard]] std::vector<std::size_t> free_parameters(const CameraModel& model, std::span<const std::string> held);
 
 }  // namespace fca::internal

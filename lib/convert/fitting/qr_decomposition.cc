@@ -14,8 +14,9 @@ void QrDecomposition::reset(std::size_t rows, std::size_t columns) {
   inverse_.assign(columns * columns, 0.0);
 }
 
-// Gram-Schmidt orthogonalisation, done twice, is as accurate as Householder's method. R^-1 is updated with each column: if q =
-// (a - sum c_i q_i) / n, the new column of R^-1 is (e - sum c_i R^-1_i) / n.
+// Gram-Schmidt orthogonalisation in two passes is as accurate as Householder's method. The new column of Q is q = (a - sum over
+// i of c_i q_i) / n, where a is the column of J. The new column j of R^-1 is therefore (e_j - sum over i of c_i r_i) / n, where
+// r_i are its earlier columns and e_j is a unit vector.
 void QrDecomposition::add(const double* column) {
   const std::size_t j = added_++;
   double* const q = q_.data() + j * rows_;
@@ -28,8 +29,8 @@ void QrDecomposition::add(const double* column) {
   };
   const double length = std::sqrt(dot(q, q));
   inverse_[j * columns_ + j] = 1.0;
-  constexpr int kTwice = 2;
-  for (int pass = 0; pass < kTwice; ++pass) {
+  constexpr int kPasses = 2;
+  for (int pass = 0; pass < kPasses; ++pass) {
     for (std::size_t i = 0; i < j; ++i) {
       const double* const other = q_.data() + i * rows_;
       const double share = dot(other, q);
@@ -38,7 +39,7 @@ void QrDecomposition::add(const double* column) {
     }
   }
   const double rest = std::sqrt(dot(q, q));
-  constexpr double kRounding = 1e-14;
+  constexpr double kRounding = 1e-14;  // with a smaller rest the earlier columns span this one
   const double scale = rest > kRounding * length ? 1.0 / rest : 0.0;
   for (std::size_t k = 0; k < rows_; ++k) q[k] *= scale;
   for (std::size_t row = 0; row <= j; ++row) inverse_[row * columns_ + j] *= scale;
@@ -50,10 +51,10 @@ void QrDecomposition::step(const double* y, double* values) const {
   }
 }
 
-void QrDecomposition::transform(std::span<const Column> jacobian, std::vector<double>& space) {
-  space.assign(rows_ * columns_, 0.0);
+void QrDecomposition::transform(std::span<const Column> jacobian, std::vector<double>& result) {
+  result.assign(rows_ * columns_, 0.0);
   for (std::size_t j = 0; j < columns_; ++j) {
-    double* const to = space.data() + j * rows_;
+    double* const to = result.data() + j * rows_;
     for (std::size_t i = 0; i <= j; ++i) {
       const double factor = inverse_[i * columns_ + j];
       const double* const from = jacobian[i].data;
@@ -62,9 +63,9 @@ void QrDecomposition::transform(std::span<const Column> jacobian, std::vector<do
   }
 }
 
-std::span<const Column> QrDecomposition::columns(const std::vector<double>& space) {
+std::span<const Column> QrDecomposition::columns(const std::vector<double>& transformed) {
   views_.resize(columns_);
-  for (std::size_t j = 0; j < columns_; ++j) views_[j] = {space.data() + j * rows_, 0, rows_};
+  for (std::size_t j = 0; j < columns_; ++j) views_[j] = {transformed.data() + j * rows_, 0, rows_};
   return views_;
 }
 

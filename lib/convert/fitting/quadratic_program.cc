@@ -16,9 +16,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kRounding = 1e-12;  // for columns and right sides of length 1
+/// Smaller numbers are rounding errors of dot products. Columns and right sides have the length 1.
+constexpr double kRounding = 1e-12;
 
-/// The u that minimises |E u - f| with u = 0 except for the `free` columns of E.
+/// Returns the u that minimises |E u - f|, where only the elements of u with the indices `free` may differ from 0.
 VectorXd least_squares(const MatrixXd& E, const VectorXd& f, const std::vector<Index>& free) {
   VectorXd u = VectorXd::Zero(E.cols());
   const VectorXd of_free = MatrixXd(E(Eigen::all, free)).colPivHouseholderQr().solve(f);
@@ -26,7 +27,7 @@ VectorXd least_squares(const MatrixXd& E, const VectorXd& f, const std::vector<I
   return u;
 }
 
-/// The u >= 0 that minimises |E u - f| (algorithm NNLS of Lawson and Hanson, see the header).
+/// Returns the u without negative elements that minimises |E u - f| (algorithm NNLS of Lawson and Hanson, see the header).
 VectorXd non_negative_least_squares(const MatrixXd& E, const VectorXd& f) {
   VectorXd u = VectorXd::Zero(E.cols());
   std::vector<Index> free;
@@ -38,7 +39,8 @@ VectorXd non_negative_least_squares(const MatrixXd& E, const VectorXd& f) {
     if (E.cols() == 0 || !(gain.maxCoeff(&best) > kRounding)) return u;
     free.push_back(best);
     VectorXd next = least_squares(E, f, free);
-    // If elements become negative on the way to `next`, goes only to where the first one is 0, fixes it at 0 and solves again.
+    // If an element would become negative on the way from u to `next`, u moves only to the point at which the first such
+    // element is 0. That element is then fixed at 0, and the problem is solved again.
     while (std::ranges::any_of(free, [&next](Index i) { return !(next[i] > 0.0); })) {
       double share = 1.0;
       Index first = free.front();
@@ -72,7 +74,7 @@ std::optional<VectorXd> minimise_quadratic(const MatrixXd& H, const VectorXd& g,
     return VectorXd(unit.cwiseProduct(factors.matrixU().solve(moved)));
   };
   const Index n = H.rows();
-  // The constraints as columns [G'; h'], for G y >= h.
+  // In y the inequalities are G y >= h. E consists of the columns [G'; h'].
   MatrixXd E(n + 1, A.rows());
   E.topRows(n) = factors.matrixL().solve(MatrixXd(unit.asDiagonal() * A.transpose()));
   E.row(n) = (b + E.topRows(n).transpose() * shift).transpose();

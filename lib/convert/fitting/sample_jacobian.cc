@@ -17,6 +17,7 @@ void SampleJacobian::reset(std::vector<Correspondence> samples, const std::array
   for (std::size_t i = 0; i < count; ++i) {
     if (fixed[i]) continue;
     Column column{out().column(i), 0, rows()};
+    // fx and cx affect only u, fy and cy only v.
     if (target_.focal_lengths_first() && i < 4) (i % 2 == 0 ? column.end : column.begin) = points;
     columns_.push_back(column);
   }
@@ -25,7 +26,8 @@ void SampleJacobian::reset(std::vector<Correspondence> samples, const std::array
 
 bool SampleJacobian::evaluate(const ParameterValues& values, NormalEquations& sums) {
   const bool with_derivatives = !sums.gradient.empty();
-  // The solver needs the derivatives where it has just needed the cost: cheap ones are computed at once and kept.
+  // The solver mostly needs the derivatives at the point at which it has just evaluated the cost. If derivatives are cheap,
+  // they are therefore computed together with the cost and kept.
   if (!(with_derivatives || target_.cheap_derivatives() ? compute_jacobian(values) : compute_residuals(values))) return false;
   const Column r = residuals();
   dot_products(std::span(&r, 1), r, &sums.cost);
@@ -44,6 +46,7 @@ bool SampleJacobian::compute_jacobian(const ParameterValues& values) {
   return true;
 }
 
+/// Computes only the residuals; columns() are then invalid. False if a sample has no pixel.
 bool SampleJacobian::compute_residuals(const ParameterValues& values) {
   at_.reset();
   const std::size_t points = samples_.size();

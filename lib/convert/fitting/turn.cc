@@ -17,30 +17,32 @@ namespace {
 
 using Samples = std::vector<Correspondence>;
 
-/// The first step of the rotation vector [rad], and the rms [px] after it if errors were linear.
+/// A Gauss-Newton step, and the rms [px] after it if the errors were linear.
 struct Step {
-  Eigen::Vector3d angles;
+  Eigen::Vector3d angles;  ///< Rotation vector [rad].
   double rms_px = 0.0;
 };
 
+/// The step from a fit to `samples` without a rotation. nullopt if a sample has no pixel, or there is no finite solution.
 std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples, std::span<const ParameterRange> ranges) {
   const std::optional<PixelJacobian> jacobian = jacobian_of(fitted.model, samples);
   if (!jacobian) return std::nullopt;
   const std::vector<Eigen::Index> free = free_columns(fitted.model, fitted.at_bound, ranges);
   const auto parameters = static_cast<Eigen::Index>(free.size());
-  const Eigen::Index count = angles_of(fitted.model);
+  const Eigen::Index count = angle_count(fitted.model);
   Eigen::MatrixXd derivatives(jacobian->columns.rows(), parameters + count);
   derivatives.leftCols(parameters) = jacobian->columns(Eigen::all, free);
-  if (!put_derivatives_by_angles(fitted.model, samples, Eigen::Vector3d::Zero(), derivatives.rightCols(count)))
+  if (!write_angle_derivatives(fitted.model, samples, Eigen::Vector3d::Zero(), derivatives.rightCols(count)))
     return std::nullopt;
-  // Columns are scaled to length 1: those of coefficients of high powers have other magnitudes than those of focal lengths.
+  // All columns are scaled to the length 1: those of coefficients of high powers and those of focal lengths have very different
+  // lengths.
   const Eigen::VectorXd lengths = derivatives.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
   derivatives = derivatives * lengths.cwiseInverse().asDiagonal();
-  // The samples hardly distinguish a turn about the axis from no turn and, for a narrow lens, a turn from a shift of the
-  // principal point.
-  constexpr double kHardlyApart = 1e-7;
+  // Some columns are almost linearly dependent. A rotation about the axis hardly changes the pixels of a round lens. In a
+  // narrow lens other rotations are almost the same as a shift of the principal point.
+  constexpr double kDependentColumns = 1e-7;  // relative size of a pivot
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(derivatives.rows(), derivatives.cols());
-  solver.setThreshold(kHardlyApart);
+  solver.setThreshold(kDependentColumns);
   solver.compute(derivatives);
   const Eigen::VectorXd solution = solver.solve(-jacobian->residuals);
   if (!solution.allFinite()) return std::nullopt;
@@ -49,7 +51,8 @@ std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples,
   return Step{angles, (jacobian->residuals + derivatives * solution).norm()};
 }
 
-Samples of_some_weight(std::span<const Correspondence> samples) {
+/// The samples with a positive weight.
+Samples with_weight(std::span<const Correspondence> samples) {
   Samples result;
   std::ranges::copy_if(samples, std::back_inserter(result), [](const Correspondence& sample) { return sample.weight > 0.0; });
   return result;
@@ -61,22 +64,22 @@ std::optional<TurnedFit> fit_with_turn(const FittedModel& start, std::span<const
                                        std::span<const ParameterRange> ranges) {
   constexpr int kMostSteps = 30;
   constexpr int kMostHalvings = 8;
-  constexpr double kGain = 1e-4;  // of the rms
-  const Samples counted = of_some_weight(samples);
-  // The start's rms is over other samples: it is fitted again to make them comparable.
-  std::optional<FittedModel> best = fit_from(start.model, counted, ranges);
+  constexpr double kNegligibleGain = 1e-4;  // fraction of the rms
+  const Samples weighted = with_weight(samples);
+  // The rms of `start` is over other samples. A fit to these samples makes it comparable.
+  std::optional<FittedModel> best = fit_from(start.model, weighted, ranges);
   if (!best) return std::nullopt;
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   bool is_turned = false;
   for (int i = 0; i < kMostSteps; ++i) {
-    const std::optional<Step> step = step_from(*best, turned(counted, R), ranges);
+    const std::optional<Step> step = step_from(*best, rotated_samples(weighted, R), ranges);
     if (!step) break;
     bool is_better = false;
     double gain = 0.0;
     double share = 1.0;
     for (int halving = 0; halving < kMostHalvings && !is_better; ++halving, share *= 0.5) {
       const Eigen::Matrix3d next = rotation_by(share * step->angles) * R;
-      std::optional<FittedModel> fitted = fit_from(best->model, turned(counted, next), ranges);
+      std::optional<FittedModel> fitted = fit_from(best->model, rotated_samples(weighted, next), ranges);
       is_better = fitted && fitted->reaches_all >= best->reaches_all && fitted->rms_px < best->rms_px;
       if (!is_better) continue;
       gain = 1.0 - fitted->rms_px / best->rms_px;
@@ -85,7 +88,7 @@ std::optional<TurnedFit> fit_with_turn(const FittedModel& start, std::span<const
       R = next;
     }
     is_turned = is_turned || is_better;
-    if (!is_better || gain < kGain) break;
+    if (!is_better || gain < kNegligibleGain) break;
   }
   if (!is_turned) return std::nullopt;
   return TurnedFit{*std::move(best), transform_of(R)};
@@ -93,7 +96,7 @@ std::optional<TurnedFit> fit_with_turn(const FittedModel& start, std::span<const
 
 std::optional<TurnEstimate> estimate_turn(const FittedModel& fitted, std::span<const Correspondence> samples,
                                           std::span<const ParameterRange> ranges) {
-  const std::optional<Step> step = step_from(fitted, of_some_weight(samples), ranges);
+  const std::optional<Step> step = step_from(fitted, with_weight(samples), ranges);
   if (!step) return std::nullopt;
   return TurnEstimate{step->rms_px, step->angles.norm()};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fits a rotation of the camera together with its model. What a model cannot represent of a lens (tangential terms, an affine
-// part) is mostly a tilt of its axis, which a pose can represent.
+// Fits a rotation of the camera together with its model. Most of the effect of tangential terms, or of an affine part, is a
+// tilt of the optical axis. A model without such terms cannot represent it, but the camera's pose can.
 #pragma once
 
 #include "fit_model.h"
@@ -12,21 +12,24 @@
 
 namespace fca::internal {
 
+/// A fit to rotated rays.
 struct TurnedFit {
   FittedModel fitted;
-  Transform T_target_source;  ///< A rotation; takes rays of the source to rays of the target.
+  Transform T_target_source;  ///< The rotation, which transforms rays of the source to rays of the target.
 };
 
-/// Finds the best fit with a rotation, starting from the best one without. Gauss-Newton steps change the angles; after each the
-/// model is fitted again to the rotated rays (variable projection: Golub & Pereyra 1973). nullopt if no step improves the rms.
+/// Finds the best fit with a rotation, starting from the best fit without one. Gauss-Newton steps change the rotation. After
+/// each step the model is fitted again to the rotated rays (variable projection: Golub & Pereyra 1973). nullopt if no step
+/// reduces the rms.
 [[nodiscard]] std::optional<TurnedFit> fit_with_turn(const FittedModel& start, std::span<const Correspondence> samples,
                                                      std::span<const ParameterRange> ranges);
 
-/// An estimate of what fit_with_turn() would reach, from its first step.
+/// An estimate of the result of fit_with_turn(): that of its first step, if the errors were linear.
 struct TurnEstimate {
   double rms_px = 0.0;
-  double angle_rad = 0.0;
+  double angle_rad = 0.0;  ///< The angle of the rotation.
 };
+/// nullopt if a sample has no pixel, or the first step has no solution.
 [[nodiscard]] std::optional<TurnEstimate> estimate_turn(const FittedModel& fitted, std::span<const Correspondence> samples,
                                                         std::span<const ParameterRange> ranges);
 

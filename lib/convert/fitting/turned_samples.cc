@@ -14,29 +14,30 @@
 
 namespace fca::internal {
 
-std::vector<Correspondence> turned(std::span<const Correspondence> samples, const Eigen::Matrix3d& R) {
+std::vector<Correspondence> rotated_samples(std::span<const Correspondence> samples, const Eigen::Matrix3d& R) {
   const Transform T = transform_of(R);
   std::vector<Correspondence> result(samples.begin(), samples.end());
   for (Correspondence& sample : result) sample.ray = rotated(T, sample.ray);
   return result;
 }
 
-Eigen::Index angles_of(const CameraModel& model) {
+Eigen::Index angle_count(const CameraModel& model) {
   const std::span<const Parameter> parameters = model_info(model).parameters;
   const auto has = [&parameters](std::string_view name) {
     return std::ranges::find(parameters, name, &Parameter::name) != parameters.end();
   };
-  constexpr Eigen::Index kTilt = 2;
-  return has("c") && has("d") && has("e") ? kTilt : 3;
+  constexpr Eigen::Index kTilt = 2;  // about x and y
+  constexpr Eigen::Index kRotation = 3;
+  return has("c") && has("d") && has("e") ? kTilt : kRotation;
 }
 
-bool put_derivatives_by_angles(const CameraModel& model, std::span<const Correspondence> samples, const Eigen::Vector3d& angles,
-                               Eigen::Ref<Eigen::MatrixXd> columns) {
+bool write_angle_derivatives(const CameraModel& model, std::span<const Correspondence> samples, const Eigen::Vector3d& angles,
+                             Eigen::Ref<Eigen::MatrixXd> columns) {
   constexpr double kStep = 1e-6;  // rad
   for (Eigen::Index axis = 0; axis < columns.cols(); ++axis) {
     const Eigen::Vector3d along = kStep * Eigen::Vector3d::Unit(axis);
-    const std::optional<Eigen::VectorXd> before = residuals_of(model, turned(samples, rotation_by(angles - along)));
-    const std::optional<Eigen::VectorXd> after = residuals_of(model, turned(samples, rotation_by(angles + along)));
+    const std::optional<Eigen::VectorXd> before = residuals_of(model, rotated_samples(samples, rotation_by(angles - along)));
+    const std::optional<Eigen::VectorXd> after = residuals_of(model, rotated_samples(samples, rotation_by(angles + along)));
     if (!before || !after) return false;
     columns.col(axis) = (*after - *before) / (2.0 * kStep);
   }

@@ -64,7 +64,7 @@ class Problem {
       const Conversion& conversion = fits.at(i).conversion;
       Unknowns& unknowns = unknowns_.at(i);
       unknowns = {internal::free_columns(conversion.camera.model, conversion.report.at_bound, fits.at(i).options.ranges),
-                  turns ? internal::angles_of(conversion.camera.model) : 0, i == 0 ? 0 : unknowns_[0].count()};
+                  turns ? internal::angle_count(conversion.camera.model) : 0, i == 0 ? 0 : unknowns_[0].count()};
     }
   }
 
@@ -110,11 +110,11 @@ class Problem {
                                                          std::span<const Correspondence> samples) const {
     const Unknowns& unknowns = unknowns_.at(i);
     std::optional<PixelJacobian> all =
-        internal::jacobian_of(state.model, internal::turned(samples, internal::rotation_by(state.angles)));
+        internal::jacobian_of(state.model, internal::rotated_samples(samples, internal::rotation_by(state.angles)));
     if (!all) return std::nullopt;
     PixelJacobian own{MatrixXd(all->columns.rows(), unknowns.count()), std::move(all->residuals)};
     own.columns.leftCols(static_cast<Index>(unknowns.parameters.size())) = all->columns(Eigen::all, unknowns.parameters);
-    if (!internal::put_derivatives_by_angles(state.model, samples, state.angles, own.columns.rightCols(unknowns.angles)))
+    if (!internal::write_angle_derivatives(state.model, samples, state.angles, own.columns.rightCols(unknowns.angles)))
       return std::nullopt;
     return own;
   }
