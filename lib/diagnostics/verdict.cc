@@ -49,7 +49,7 @@ std::span<const CodeInfo> verdict_codes() {
       clause(Code::kNameTheFile, "name the file {0}"),
       clause(Code::kOlderVersionsRead, "for older versions the model {0}: {1:rms}{2:worst}"),
       clause(Code::kFitInsideAngle,
-             "the same model fitted up to {0} deg from the axis: {1:px} px rms inside, not {2:px}; beyond, pixels are wrong"),
+             "the same model fitted up to {0} deg from the axis: {1:px} px rms inside, not {2:px}, and wrong pixels beyond"),
       clause(Code::kRewriteDemandsRate, "write a fresh file, which needs the IMU's rate"),
       clause(Code::kRewriteDemandsSize, "write a fresh file, which needs the size of the images"),
       clause(Code::kRewrittenFor, "write a fresh file, which is for {0}: {1:rms}{2:worst}"),

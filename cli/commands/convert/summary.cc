@@ -164,8 +164,8 @@ std::optional<std::string> offered_turn(const ConvertResult& outcome) {
     const double rms_px = camera.report->statistics.error.rms;
     if (rms_px <= worst_px) continue;
     worst_px = rms_px;
-    text = "--absorb-rotation: " + pixels(camera.report->turn_offer->rms_px) + " px rms, not " + pixels(rms_px) + " (turns " +
-           name_in_words(camera) + " by " + text::format_short(camera.report->turn_offer->angle_deg, 2) + " deg, in its poses)";
+    text = "--absorb-rotation: " + pixels(camera.report->turn_offer->rms_px) + " px rms, not " + pixels(rms_px) +
+           " (a turn of " + text::format_short(camera.report->turn_offer->angle_deg, 2) + " deg)";
   }
   return text;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -17,23 +18,14 @@ namespace {
 
 using Samples = std::vector<Correspondence>;
 
-/// A Gauss-Newton step, and the rms [px] after it if the errors were linear.
-struct Step {
-  Eigen::Vector3d angles;  ///< Rotation vector [rad].
+/// A Gauss-Newton step: the changes of the unknowns, and the rms [px] after it if the errors were linear.
+struct LinearStep {
+  Eigen::VectorXd changes;
   double rms_px = 0.0;
 };
 
-/// The step from a fit to `samples` without a rotation. nullopt if a sample has no pixel, or there is no finite solution.
-std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples, std::span<const ParameterRange> ranges) {
-  const std::optional<PixelJacobian> jacobian = jacobian_of(fitted.model, samples);
-  if (!jacobian) return std::nullopt;
-  const std::vector<Eigen::Index> free = free_columns(fitted.model, fitted.at_bound, ranges);
-  const auto parameters = static_cast<Eigen::Index>(free.size());
-  const Eigen::Index count = angle_count(fitted.model);
-  Eigen::MatrixXd derivatives(jacobian->columns.rows(), parameters + count);
-  derivatives.leftCols(parameters) = jacobian->columns(Eigen::all, free);
-  if (!write_angle_derivatives(fitted.model, samples, Eigen::Vector3d::Zero(), derivatives.rightCols(count)))
-    return std::nullopt;
+/// The step that the derivatives (a column per unknown) and the residuals give. nullopt if it is not finite.
+std::optional<LinearStep> linear_step(Eigen::MatrixXd derivatives, const Eigen::VectorXd& residuals) {
   // All columns are scaled to the length 1: those of coefficients of high powers and those of focal lengths have very different
   // lengths.
   const Eigen::VectorXd lengths = derivatives.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
@@ -44,11 +36,41 @@ std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples,
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(derivatives.rows(), derivatives.cols());
   solver.setThreshold(kDependentColumns);
   solver.compute(derivatives);
-  const Eigen::VectorXd solution = solver.solve(-jacobian->residuals);
+  const Eigen::VectorXd solution = solver.solve(-residuals);
   if (!solution.allFinite()) return std::nullopt;
-  Eigen::Vector3d angles = Eigen::Vector3d::Zero();
-  angles.head(count) = solution.tail(count).cwiseQuotient(lengths.tail(count));
-  return Step{angles, (jacobian->residuals + derivatives * solution).norm()};
+  return LinearStep{solution.cwiseQuotient(lengths), (residuals + derivatives * solution).norm()};
+}
+
+/// The step of a fit's free parameters, and of a rotation.
+struct Step {
+  Eigen::Vector3d angles;          ///< Rotation vector [rad].
+  double rms_px = 0.0;             ///< After the step, if the errors were linear.
+  double rms_without_turn_px = 0;  ///< After the best step of the parameters alone; only if asked for.
+};
+
+/// The step from a fit to `samples` without a rotation. nullopt if a sample has no pixel, or there is no finite solution.
+std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples, std::span<const ParameterRange> ranges,
+                              bool also_without_turn = false) {
+  const std::optional<PixelJacobian> jacobian = jacobian_of(fitted.model, samples);
+  if (!jacobian) return std::nullopt;
+  const std::vector<Eigen::Index> free = free_columns(fitted.model, fitted.at_bound, ranges);
+  const auto parameters = static_cast<Eigen::Index>(free.size());
+  const Eigen::Index count = angle_count(fitted.model);
+  Eigen::MatrixXd derivatives(jacobian->columns.rows(), parameters + count);
+  derivatives.leftCols(parameters) = jacobian->columns(Eigen::all, free);
+  if (!write_angle_derivatives(fitted.model, samples, Eigen::Vector3d::Zero(), derivatives.rightCols(count)))
+    return std::nullopt;
+  const std::optional<LinearStep> step = linear_step(derivatives, jacobian->residuals);
+  if (!step) return std::nullopt;
+  Step result;
+  result.angles.setZero();
+  result.angles.head(count) = step->changes.tail(count);
+  result.rms_px = step->rms_px;
+  if (!also_without_turn) return result;
+  const std::optional<LinearStep> without = linear_step(derivatives.leftCols(parameters), jacobian->residuals);
+  if (!without) return std::nullopt;
+  result.rms_without_turn_px = without->rms_px;
+  return result;
 }
 
 /// The samples with a positive weight.
@@ -96,9 +118,9 @@ std::optional<TurnedFit> fit_with_turn(const FittedModel& start, std::span<const
 
 std::optional<TurnEstimate> estimate_turn(const FittedModel& fitted, std::span<const Correspondence> samples,
                                           std::span<const ParameterRange> ranges) {
-  const std::optional<Step> step = step_from(fitted, with_weight(samples), ranges);
-  if (!step) return std::nullopt;
-  return TurnEstimate{step->rms_px, step->angles.norm()};
+  const std::optional<Step> step = step_from(fitted, with_weight(samples), ranges, true);
+  if (!step || !(step->rms_without_turn_px > 0.0)) return std::nullopt;
+  return TurnEstimate{step->rms_px / step->rms_without_turn_px, step->angles.norm()};
 }
 
 }  // namespace fca::internal

@@ -26,7 +26,7 @@ struct TurnedFit {
 
 /// An estimate of the result of fit_with_turn(): that of its first step, if the errors were linear.
 struct TurnEstimate {
-  double rms_px = 0.0;
+  double ratio = 1.0;      ///< The rms over that of a step of the parameters alone, on the same samples.
   double angle_rad = 0.0;  ///< The angle of the rotation.
 };
 /// nullopt if a sample has no pixel, or the first step has no solution.
