@@ -15,14 +15,15 @@ namespace fca {
 
 namespace {
 
-/// Coverages that differ by up to this share of the image are taken for the same.
+/// Coverages that differ by at most this share of the image count as equal.
 constexpr double kSameCoverage = 1e-3;
 
 }  // namespace
 
 bool is_better(const ConversionReport& a, const ConversionReport& b) {
-  const double more = b.statistics.coverage.unrepresentable - a.statistics.coverage.unrepresentable;
-  if (std::abs(more) > kSameCoverage) return more > 0.0;
+  // The share of the image that `a` covers in addition.
+  const double extra_coverage = b.statistics.coverage.unrepresentable - a.statistics.coverage.unrepresentable;
+  if (std::abs(extra_coverage) > kSameCoverage) return extra_coverage > 0.0;
   return a.statistics.error.rms < b.statistics.error.rms;
 }
 
@@ -59,14 +60,14 @@ std::optional<ConversionReport> report_of_conversion_to(const StoredModel& store
   return conversion ? std::optional(std::move(conversion->report)) : std::nullopt;
 }
 
-/// The conversions of the camera to `models` that are better than `than`, the best first.
-std::vector<ConversionReport> better_conversions(const Camera& camera, const ConversionReport& than, const ModelChoice& choice,
-                                                 const std::vector<StoredModel>& models) {
+/// The conversions of the camera to `models` that are better than `reference`, the best first.
+std::vector<ConversionReport> better_conversions(const Camera& camera, const ConversionReport& reference,
+                                                 const ModelChoice& choice, const std::vector<StoredModel>& models) {
   constexpr double kUsableError = 2.0;  // px rms; a file with a larger error is of no use
   std::vector<ConversionReport> result;
   for (const StoredModel& stored : models) {
     std::optional<ConversionReport> report = report_of_conversion_to(stored, camera, choice, Objective::kRms);
-    if (report && is_better(*report, than) && report->statistics.error.rms <= kUsableError)
+    if (report && is_better(*report, reference) && report->statistics.error.rms <= kUsableError)
       result.push_back(*std::move(report));
   }
   put_best_first(result, is_better);
@@ -91,6 +92,7 @@ std::optional<Message> best_model_readable_by_all_versions(std::span<const Camer
                                                            const ModelChoice& choice) {
   std::optional<ConversionReport> best;
   for (const StoredModel& stored : format.models) {
+    // Skip a model that only a modified program or only newer versions read.
     if (!stored.stock || !stored.since.empty() || find_model(stored.model)->kept_only) continue;
     std::optional<ConversionReport> report = worst_report(stored, cameras, choice);
     if (report && (!best || is_better(*report, *best))) best = std::move(report);
@@ -102,10 +104,12 @@ std::optional<Message> best_model_readable_by_all_versions(std::span<const Camer
 Message better_models(const Camera& camera, const ConversionReport& report, const Format& format, std::string_view program,
                       const ModelChoice& choice) {
   constexpr std::size_t kMaxSuggestions = 3;
+  // Models that the format's own program reads and the request allows, and all others that describe wide lenses: a perspective
+  // model would only describe a part of the lens.
   std::vector<StoredModel> models_of_program;
   std::vector<StoredModel> other_models;
   for (const ModelInfo& model : all_models()) {
-    const StoredModel* stored = find_stored_model(format, model.id, true);
+    const StoredModel* stored = find_stored_model(format, model.id, /*stock_only=*/true);
     // Skip the model to which the camera was converted. Skip a kept_only model (one that only files of one format have), unless
     // it is the model of the camera itself.
     if (model.id == report.to_model || (model.kept_only && model.id != report.from_model)) continue;
@@ -118,8 +122,8 @@ Message better_models(const Camera& camera, const ConversionReport& report, cons
   }
   const std::vector<ConversionReport> better = better_conversions(camera, report, choice, models_of_program);
   std::vector<Message> names;
-  for (const ConversionReport& one : better) {
-    if (names.size() < kMaxSuggestions) names.push_back(in_words(one));
+  for (const ConversionReport& conversion : better) {
+    if (names.size() < kMaxSuggestions) names.push_back(in_words(conversion));
   }
   const std::vector<ConversionReport> others = better_conversions(camera, report, choice, other_models);
   std::vector<Message> hint_at_other_model;

@@ -43,28 +43,37 @@ struct LensCells {
   [[nodiscard]] std::size_t size() const { return cells.size(); }
   [[nodiscard]] Pixel pixel(std::size_t i) const { return {pixels[2 * i], pixels[2 * i + 1]}; }
   [[nodiscard]] Ray ray(std::size_t i) const { return {rays[3 * i], rays[3 * i + 1], rays[3 * i + 2]}; }
-  void add(std::size_t cell, const Pixel& pixel, const Ray& ray) {
-    cells.push_back(cell);
-    pixels.insert(pixels.end(), pixel.begin(), pixel.end());
-    rays.insert(rays.end(), ray.begin(), ray.end());
+  void resize(std::size_t count) {
+    cells.resize(count);
+    pixels.resize(2 * count);
+    rays.resize(3 * count);
+  }
+  void set(std::size_t i, std::size_t cell, const Pixel& pixel, const Ray& ray) {
+    cells[i] = cell;
+    std::copy_n(pixel.begin(), 2, &pixels[2 * i]);
+    std::copy_n(ray.begin(), 3, &rays[3 * i]);
   }
 };
 
 LensCells cells_in_lens(const ImageField& field, const CameraModel& model, const FieldOfView& field_of_view) {
-  LensCells lit;
+  LensCells inside;
+  inside.resize(field.parts.size());
+  std::size_t lit = 0;
   for (int row = 0; row < field.rows; ++row) {
     for (int column = 0; column < field.columns; ++column) {
       const Pixel pixel = field.pixel(column, row);
-      if (field_of_view.is_lit(pixel)) lit.add(field.index(column, row), pixel, {kNone, kNone, kNone});
+      if (field_of_view.is_lit(pixel)) inside.set(lit++, field.index(column, row), pixel, {});
     }
   }
-  unproject_all(model, lit.pixels, lit.rays);
+  inside.resize(lit);
+  unproject_all(model, inside.pixels, inside.rays);
   const AngleLimit limit(field_of_view.max_angle_rad);
-  LensCells inside;
-  for (std::size_t i = 0; i < lit.size(); ++i) {
-    const Ray ray = lit.ray(i);
-    if (std::isfinite(ray[2]) && limit.admits(ray)) inside.add(lit.cells[i], lit.pixel(i), ray);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < lit; ++i) {
+    const Ray ray = inside.ray(i);
+    if (std::isfinite(ray[2]) && limit.admits(ray)) inside.set(count++, inside.cells[i], inside.pixel(i), ray);
   }
+  inside.resize(count);
   return inside;
 }
 

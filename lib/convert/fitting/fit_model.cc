@@ -36,8 +36,8 @@ std::optional<FittedModel> fit_from_own_starts(std::string_view id, std::span<co
   return result;
 }
 
-/// True if `a` is better than `b`, or there is no `b`. A fit with a pixel for all samples is better than one without; of two
-/// alike, the one with the smaller rms is better.
+/// True if `a` is better than `b`, or there is no `b`. A fit that reaches all samples is better than one that does not. If both
+/// or neither do, the fit with the smaller rms is better.
 bool is_better(const FittedModel& a, const std::optional<FittedModel>& b) {
   if (!b) return true;
   if (a.reaches_all != b->reaches_all) return a.reaches_all;
@@ -59,8 +59,8 @@ double rms_over(std::span<const Correspondence> samples, const CameraModel& mode
 }
 
 /// True if a fit of the contained model `inner` may lead to a better fit than `best`, or to one with fewer parameters at a
-/// bound. It does not if `inner`, fitted to a few samples, has a larger rms on these than `best`, which was fitted to all
-/// samples.
+/// bound. False if `inner` cannot help: even fitted to a few samples alone, it has a larger rms on them than `best`, which was
+/// fitted to all samples.
 bool may_be_beaten(const FittedModel& best, std::string_view inner, std::span<const Correspondence> samples,
                    const LensCentre& centre, std::span<const ParameterRange> ranges) {
   constexpr double kNegligiblePx = 1e-3;
@@ -115,8 +115,8 @@ void improve_from(const CameraModel& start, std::span<const Correspondence> samp
   keep_better(evaluate_camera(start, samples, ranges), best);
 }
 
-/// Sets reaches_all to whether every sample is in the model's domain, for a model whose image radius may stop growing just
-/// before the edge: the samples there have weights near 0. Leaves fits of other models unchanged.
+/// Checks every sample of a model whose image radius may stop growing, and sets reaches_all. A fit takes no notice of the
+/// samples at the very edge, whose weights are near 0. Leaves fits of other models unchanged.
 void require_every_sample(std::span<const Correspondence> samples, std::optional<FittedModel>& fitted) {
   if (!fitted || !bends_back(model_info(fitted->model).id)) return;
   const double limit = max_angle(fitted->model);
@@ -125,7 +125,7 @@ void require_every_sample(std::span<const Correspondence> samples, std::optional
 }
 
 /// Starting from `start`, finds the best camera whose image radius grows up to the outermost sample. The model must have growth
-/// conditions (growth.h). nullopt if the radius of `start` stops growing before.
+/// conditions (growth.h). nullopt if the radius of `start` stops growing before that sample.
 std::optional<FittedModel> grow_from(const CameraModel& start, std::span<const Correspondence> samples,
                                      std::span<const ParameterRange> ranges) {
   std::optional<FittedModel> result = std::visit(
@@ -138,18 +138,18 @@ std::optional<FittedModel> grow_from(const CameraModel& start, std::span<const C
   return result && result->reaches_all ? result : std::nullopt;
 }
 
-/// Like grow_from(), but starts from a camera without distortion. Fits first with `coefficient`, which may make the radius
-/// shrink, fixed at 0, then from that fit with it free. The additional coefficient therefore never makes the fit worse.
+/// Like grow_from(), but starts from a camera without distortion. `coefficient` may make the radius shrink: a first fit holds
+/// it at 0, and a second fit starts from the first and frees it. The coefficient therefore never makes the fit worse.
 std::optional<FittedModel> grow_from_pinhole(std::string_view id, ParameterId coefficient,
                                              std::span<const Correspondence> samples, const LensCentre& centre,
                                              std::span<const ParameterRange> ranges) {
   const Intrinsics<Pinhole> pinhole{{centre.focal[0], centre.focal[1], centre.point[0], centre.point[1]}};
   const std::optional<CameraModel> start = convert_nearly(pinhole, id);
   if (!start) return std::nullopt;
-  std::vector<ParameterRange> without(ranges.begin(), ranges.end());
-  without.push_back({coefficient, 0.0, 0.0});
-  const std::optional<FittedModel> plainer = grow_from(*start, samples, without);
-  return grow_from(plainer ? plainer->model : *start, samples, ranges);
+  std::vector<ParameterRange> without_coefficient(ranges.begin(), ranges.end());
+  without_coefficient.push_back({coefficient, 0.0, 0.0});
+  const std::optional<FittedModel> first = grow_from(*start, samples, without_coefficient);
+  return grow_from(first ? first->model : *start, samples, ranges);
 }
 
 }  // namespace

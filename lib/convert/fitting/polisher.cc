@@ -171,7 +171,9 @@ void Polisher::respect_bounds(Candidate& candidate, std::span<const Corresponden
     if (!worst) return;
     candidate.values[*worst] = std::clamp(candidate.values[*worst], limits_.lower[*worst], limits_.upper[*worst]);
     candidate.fixed[*worst] = true;
-    if (!polish(candidate, samples, effort)) return;
+    if (polish(candidate, samples, effort)) continue;
+    candidate.cost_is_complete = false;  // the cost is that of the values before
+    return;
   }
 }
 

@@ -23,7 +23,7 @@ void set_covariance(const Eigen::MatrixXd& covariance, Uncertainty& uncertainty)
 
 double sigma_of_pixel(const ParameterJacobian& jacobian, const Covariance& covariance) {
   const Eigen::Matrix2d pixel_covariance = jacobian * covariance * jacobian.transpose();
-  // The larger eigenvalue of a symmetric 2 x 2 matrix is the mean of both and half of their difference.
+  // The larger eigenvalue of a symmetric 2 x 2 matrix is the mean of both eigenvalues plus half of their difference.
   const double mean = 0.5 * (pixel_covariance(0, 0) + pixel_covariance(1, 1));
   const double half_difference = std::hypot(0.5 * (pixel_covariance(0, 0) - pixel_covariance(1, 1)),
                                             0.5 * (pixel_covariance(0, 1) + pixel_covariance(1, 0)));
@@ -31,22 +31,22 @@ double sigma_of_pixel(const ParameterJacobian& jacobian, const Covariance& covar
 }
 
 double sigma_bound_of_pixel(const ParameterJacobian& jacobian, const Eigen::VectorXd& sigmas) {
-  // The sums of c_i J_i sigma_i with -1 <= c_i <= 1 fill a polygon with the sides 2 J_i sigma_i that is symmetric about 0. The
-  // bound is the distance of its farthest corner from 0. If all vectors J_i sigma_i point into the upper half plane, their sum
-  // is a corner. Changing the signs of the vectors one after the other, in the order of their angles, leads to the next
-  // corners. They are half of all corners; the other half are their mirror images.
-  std::vector<Eigen::Vector2d> sides;  // each is half a side
+  // The sums of c_i J_i sigma_i with -1 <= c_i <= 1 fill a polygon that is symmetric about 0, with the sides 2 J_i sigma_i. The
+  // bound is the distance of its farthest corner from 0: the largest sigma that any correlations can give. The sum of all
+  // vectors, each turned into the upper half plane, is one corner. Subtracting twice each vector, in the order of their angles,
+  // gives the next corners. The remaining corners are mirror images of these.
+  std::vector<Eigen::Vector2d> half_sides;
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();
   for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
-    Eigen::Vector2d side = jacobian.col(i) * sigmas[i];
-    if (side[1] < 0.0 || (side[1] == 0.0 && side[0] < 0.0)) side = -side;
-    sides.push_back(side);
-    corner += side;
+    Eigen::Vector2d half_side = jacobian.col(i) * sigmas[i];
+    if (half_side[1] < 0.0 || (half_side[1] == 0.0 && half_side[0] < 0.0)) half_side = -half_side;
+    half_sides.push_back(half_side);
+    corner += half_side;
   }
-  std::ranges::sort(sides, {}, [](const Eigen::Vector2d& side) { return std::atan2(side[1], side[0]); });
+  std::ranges::sort(half_sides, {}, [](const Eigen::Vector2d& vector) { return std::atan2(vector[1], vector[0]); });
   double largest = corner.norm();
-  for (const Eigen::Vector2d& side : sides) {
-    corner -= 2.0 * side;
+  for (const Eigen::Vector2d& half_side : half_sides) {
+    corner -= 2.0 * half_side;
     largest = std::max(largest, corner.norm());
   }
   return largest;

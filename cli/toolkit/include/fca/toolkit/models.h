@@ -17,12 +17,13 @@ namespace fca {
 /// A format that stores a model.
 struct StoringFormat {
   std::string name;
-  /// Why the format cannot store these parameters, so that a conversion fits the model again. kNone: it can store them.
+  /// The reason for which a conversion to the format must fit the model again. kNone: the format stores the parameters as they
+  /// are.
   Code demands = {};
   bool operator==(const StoringFormat&) const = default;
 };
 
-/// A model of a wide lens that is fitted only inside the image's inscribed circle.
+/// A fit of a model to a wide lens, only inside the image's inscribed circle.
 struct CircleFit {
   double max_angle_deg = 0.0;  ///< Largest angle from the axis that is visible in the circle. The fit ends there.
   PixelDistance distance;      ///< The distance between the camera and the fitted model inside the circle.
@@ -32,11 +33,11 @@ struct CircleFit {
 struct Candidate {
   const ModelInfo* model = nullptr;
   std::optional<Conversion> conversion;  ///< The fit to the whole lens. nullopt if it fails; `diagnostics` contain the reason.
-  CameraDistance distance = {};          ///< The distance between the camera and the model of that conversion.
-  std::optional<CircleFit> in_circle;    ///< A fit that is better inside the inscribed circle, but worse beyond it.
+  CameraDistance distance = {};          ///< The distance between the camera and the converted camera.
+  std::optional<CircleFit> in_circle;    ///< Only for a lens wider than 120 deg, if this fit is better there than `conversion`.
 
-  /// The distance that ranks the models. If the lens is wider than 120 deg, it is that inside the image's inscribed circle: the
-  /// corners of the image do not decide.
+  /// The distance that ranks the models, over the region that decides: the whole image, or, of a lens wider than 120 deg, the
+  /// image's inscribed circle, since its corners do not count. Of a wide lens it is that of `in_circle`, if this is set.
   [[nodiscard]] const PixelDistance& decisive() const { return in_circle ? in_circle->distance : distance.decisive(); }
   std::vector<StoringFormat> stored_by;  ///< The formats that store the model.
   Diagnostics diagnostics;
@@ -53,12 +54,13 @@ struct Candidate {
 /// ends; nullopt: the whole image.
 [[nodiscard]] std::vector<Candidate> candidates(const Camera& camera, std::optional<double> max_angle_rad);
 
-/// The candidate to use: the camera's own model if it is exact, else the best of the fits to the whole lens with unnoticeable
-/// errors, else the best of all. If `format` is not null, only models that the format's own program reads are considered. Null
-/// if there is no such candidate.
+/// The candidate to use: the camera's own model if it is exact. Otherwise, of the candidates whose fit to the whole lens is
+/// `ready` by the limits of verdict.h, the one with the smallest rms in the region that decides. If no candidate is ready, the
+/// best of all, as ranked() puts it. If `format` is not null, only models that the format's own program reads are considered.
+/// Null if there is no such candidate.
 [[nodiscard]] const Candidate* recommended(const std::vector<Candidate>& candidates, const Format* format);
 
-/// The candidate to use if `other` is excluded. Null if there is none.
+/// Like recommended(), for any format, of all candidates except `other`.
 [[nodiscard]] const Candidate* recommended_beside(const std::vector<Candidate>& candidates, const Candidate& other);
 
 /// All models of each camera of a calibration.
