@@ -64,10 +64,15 @@ Chart radius_chart(const DrawnCamera& camera, double field_of_view) {
   const bool alone = camera.target == nullptr;
   chart.curves.push_back(radius_of(camera.source.model, to, alone ? "alone" : "source", camera.source_label));
   if (!alone) chart.curves.push_back(radius_of(*camera.target, to, "target", camera.target_label));
+  // Beyond the angle to which it was scored, a polynomial may grow without limit: the scale does not hold that.
+  const double target_counts_to = camera.statistics != nullptr ? camera.scored_to_deg : to;
   double farthest = 0.0;
   for (const Curve& curve : chart.curves) {
     if (curve.style.starts_with("reference")) continue;
-    for (const auto& point : curve.points) farthest = std::max(farthest, point[1]);
+    const double counts_to = curve.style == "target" ? target_counts_to : to;
+    for (const auto& [angle_deg, radius_px] : curve.points) {
+      if (angle_deg <= counts_to) farthest = std::max(farthest, radius_px);
+    }
   }
   constexpr double kAbove = 1.05;
   chart.y = {"px from the principal point", 0.0, farthest > 0.0 ? kAbove * farthest : 1.0};
