@@ -142,20 +142,6 @@ std::optional<Ray> unproject(const CameraModel& model, const Pixel& pixel) {
   return std::visit([&pixel](const auto& m) { return unprojected(m, pixel); }, model);
 }
 
-void project_all(const CameraModel& model, std::span<const double> rays, std::span<double> pixels) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const std::size_t count = std::min(rays.size() / Ray{}.size(), pixels.size() / Pixel{}.size());
-  std::visit(
-      [&](const auto& m) {
-        for (std::size_t i = 0; i < count; ++i) {
-          const double* ray = &rays[3 * i];
-          const Pixel pixel = projected(m, {ray[0], ray[1], ray[2]}).value_or(Pixel{kNone, kNone});
-          std::ranges::copy(pixel, &pixels[2 * i]);
-        }
-      },
-      model);
-}
-
 double max_angle(const CameraModel& model) {
   return std::visit([]<class M>(const Intrinsics<M>& m) { return M::max_angle(m.values.data()); }, model);
 }
