@@ -27,10 +27,19 @@ constexpr Rgb kBetweenStripes = {0xFF, 0xE3, 0xE6};
 constexpr int kStripePeriod = 10;  // cells
 constexpr int kStripeWidth = 4;
 
-double share_of(const ColourScale& scale, double value) {
-  if (scale.logarithmic) return std::log(std::max(value, scale.from) / scale.from) / std::log(scale.to / scale.from);
-  return (value - scale.from) / (scale.to - scale.from);
-}
+/// Takes a value to its place on a scale: 0 at its begin, 1 at its end.
+class ShareOfScale {
+ public:
+  explicit ShareOfScale(const ColourScale& scale)
+      : scale_(scale), length_(scale.logarithmic ? std::log(scale.to / scale.from) : scale.to - scale.from) {}
+  [[nodiscard]] double operator()(double value) const {
+    return (scale_.logarithmic ? std::log(std::max(value, scale_.from) / scale_.from) : value - scale_.from) / length_;
+  }
+
+ private:
+  const ColourScale& scale_;
+  double length_;
+};
 
 /// The scale's colours, and those behind them.
 constexpr std::uint8_t kScaleColours = 250;
@@ -54,13 +63,14 @@ Picture picture_of(const MapFigure& figure) {
   const ImageField& field = figure.field;
   Picture picture{field.columns, field.rows, palette(), {}};
   picture.colours.assign(field.parts.size(), kTransparent);
+  const ShareOfScale share_of(figure.scale);
   for (int row = 0; row < field.rows; ++row) {
     for (int column = 0; column < field.columns; ++column) {
       const std::size_t i = field.index(column, row);
       std::uint8_t& colour = picture.colours[i];
       if (field.parts[i] == Part::kUnrepresentable)
         colour = (column + row) % kStripePeriod < kStripeWidth ? kOnStripe : kNextToStripe;
-      if (field.parts[i] == Part::kScored) colour = scale_colour(share_of(figure.scale, field.values[i]));
+      if (field.parts[i] == Part::kScored) colour = scale_colour(share_of(field.values[i]));
     }
   }
   return picture;
@@ -234,7 +244,7 @@ void put_colour_bar(Html& html, const ColourScale& scale, double y) {
     ticks.push_back(scale.to);
   }
   for (const double tick : ticks) {
-    const double x = kLeft + (kRight - kLeft) * share_of(scale, tick);
+    const double x = kLeft + (kRight - kLeft) * ShareOfScale(scale)(tick);
     html.element("line",
                  {{"class", "frame"},
                   {"x1", coordinate(x)},

@@ -97,13 +97,36 @@ std::optional<CameraField> field_of(const Camera& camera, std::optional<double> 
   return result;
 }
 
-/// The unit ray at that angle from the axis and azimuth [rad].
-Ray direction(double angle, double around) {
-  return {std::sin(angle) * std::cos(around), std::sin(angle) * std::sin(around), std::cos(angle)};
+constexpr int kAround = 90;  // azimuths
+
+/// Unit rays at the angles 0, ..., `end_rad` from the axis in `steps` steps, kAround azimuths of each, as x y z x y z ...
+std::vector<double> rays_by_angle(double end_rad, int steps) {
+  std::vector<double> rays;
+  rays.reserve(3 * static_cast<std::size_t>(kAround * (steps + 1)));
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = end_rad * i / steps;
+    for (int j = 0; j < kAround; ++j) {
+      const double around = 2.0 * std::numbers::pi * j / kAround;
+      for (const double part : {std::sin(angle) * std::cos(around), std::sin(angle) * std::sin(around), std::cos(angle)})
+        rays.push_back(part);
+    }
+  }
+  return rays;
 }
 
-constexpr int kAround = 90;
-double around(int i) { return 2.0 * std::numbers::pi * i / kAround; }
+void rotate(const Transform& rotation, std::vector<double>& rays) {
+  for (auto ray = rays.begin(); ray != rays.end(); ray += 3)
+    std::ranges::copy(rotated(rotation, {ray[0], ray[1], ray[2]}), ray);
+}
+
+/// The pixels of the rays, as u v u v ...; not a number where there is none.
+std::vector<double> pixels_of(const CameraModel& model, const std::vector<double>& rays) {
+  std::vector<double> pixels(rays.size() / 3 * 2);
+  project_all(model, rays, pixels);
+  return pixels;
+}
+
+double length(double u, double v) { return std::sqrt(u * u + v * v); }
 
 }  // namespace
 
@@ -113,15 +136,11 @@ std::optional<ImageField> error_field(const Camera& source, const CameraModel& t
   if (!result) return std::nullopt;
   const LensCells& inside = result->inside;
   std::vector<double> rays = inside.rays;
-  if (rotation != nullptr) {
-    for (std::size_t i = 0; i < inside.size(); ++i)
-      std::ranges::copy(rotated(*rotation, inside.ray(i)), rays.begin() + static_cast<std::ptrdiff_t>(3 * i));
-  }
-  std::vector<double> pixels(inside.pixels.size());
-  project_all(target, rays, pixels);
+  if (rotation != nullptr) rotate(*rotation, rays);
+  const std::vector<double> pixels = pixels_of(target, rays);
   const AngleLimit max_angle(max_angle_rad + kSameAngle);
   for (std::size_t i = 0; i < inside.size(); ++i) {
-    const double error = std::hypot(pixels[2 * i] - inside.pixels[2 * i], pixels[2 * i + 1] - inside.pixels[2 * i + 1]);
+    const double error = length(pixels[2 * i] - inside.pixels[2 * i], pixels[2 * i + 1] - inside.pixels[2 * i + 1]);
     if (max_angle.admits(inside.ray(i)) && !std::isnan(error)) {
       result->set(i, error);
     } else {
@@ -146,23 +165,24 @@ std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel&
   const double right = source.image_size->width - 1.0;
   const double bottom = source.image_size->height - 1.0;
   constexpr int kAngles = 240;
+  std::vector<double> rays = rays_by_angle(max_angle_rad, kAngles);
+  const std::vector<double> here = pixels_of(source.model, rays);
+  if (rotation != nullptr) rotate(*rotation, rays);
+  const std::vector<double> there = pixels_of(target, rays);
+  std::size_t at = 0;
   for (int i = 0; i <= kAngles; ++i) {
-    const double angle = max_angle_rad * i / kAngles;
     double squares = 0.0;
     double worst = 0.0;
     int count = 0;
-    for (int j = 0; j < kAround; ++j) {
-      const Ray ray = direction(angle, around(j));
-      const std::optional<Pixel> here = project(source.model, ray);
-      if (!here || (*here)[0] < 0.0 || (*here)[0] > right || (*here)[1] < 0.0 || (*here)[1] > bottom) continue;
-      const std::optional<Pixel> there = project(target, rotation != nullptr ? rotated(*rotation, ray) : ray);
-      if (!there) continue;
-      const double error = std::hypot((*there)[0] - (*here)[0], (*there)[1] - (*here)[1]);
+    for (int j = 0; j < kAround; ++j, at += 2) {
+      const bool is_in_image = here[at] >= 0.0 && here[at] <= right && here[at + 1] >= 0.0 && here[at + 1] <= bottom;
+      const double error = length(there[at] - here[at], there[at + 1] - here[at + 1]);
+      if (!is_in_image || std::isnan(error)) continue;
       squares += error * error;
       worst = std::max(worst, error);
       ++count;
     }
-    if (count > 0) profile.push_back({angle * kDegreesPerRadian, std::sqrt(squares / count), worst});
+    if (count > 0) profile.push_back({max_angle_rad * i / kAngles * kDegreesPerRadian, std::sqrt(squares / count), worst});
   }
   return profile;
 }
@@ -172,19 +192,14 @@ std::vector<RadiusPoint> radius_curve(const CameraModel& model, double to_rad) {
   const Pixel centre = principal_point(model);
   const double end = std::min(to_rad, max_angle(model));
   constexpr int kAngles = 180;
+  const std::vector<double> pixels = pixels_of(model, rays_by_angle(end, kAngles));
+  std::size_t at = 0;
   for (int i = 0; i <= kAngles; ++i) {
-    const double angle = end * i / kAngles;
     double sum = 0.0;
-    int count = 0;
-    for (int j = 0; j < kAround; ++j) {
-      const std::optional<Pixel> pixel = project(model, direction(angle, around(j)));
-      if (!pixel) continue;
-      sum += std::hypot((*pixel)[0] - centre[0], (*pixel)[1] - centre[1]);
-      ++count;
-    }
+    for (int j = 0; j < kAround; ++j, at += 2) sum += length(pixels[at] - centre[0], pixels[at + 1] - centre[1]);
     // The curve ends at the first angle at which an azimuth has no pixel: a mean over fewer azimuths would jump.
-    if (count < kAround || !std::isfinite(sum)) break;
-    curve.push_back({angle * kDegreesPerRadian, sum / count});
+    if (!std::isfinite(sum)) break;
+    curve.push_back({end * i / kAngles * kDegreesPerRadian, sum / kAround});
   }
   return curve;
 }
