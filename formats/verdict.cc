@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/verdict.h>
+#include <fca/formats/verdict_limits.h>
 
 #include "pose_words.h"
 #include "verdict_pairs.h"
@@ -21,16 +22,7 @@ namespace fca {
 
 namespace {
 
-/// Up to here a distance or share is none that anybody notices, and up to there one can work with it.
-struct Limits {
-  double ready;
-  double care;
-};
-constexpr Limits kRmsPx = {0.25, 2.0};
-constexpr Limits kP99Px = {1.0, 5.0};
-constexpr Limits kNoRays = {0.01, 0.5};
-
-VerdictWord word_of(double value, const Limits& limits) {
+VerdictWord word_of(double value, const VerdictLimits& limits) {
   if (value <= limits.ready) return VerdictWord::kReady;
   return value <= limits.care ? VerdictWord::kUseWithCare : VerdictWord::kDoNotUse;
 }
@@ -63,11 +55,11 @@ std::vector<Message> why_no_rays(const ProofResult& proof) {
 /// is that of the distance of such pixels. An error that is too much for any use stays one.
 VerdictWord word_of(const PixelDistance& distance, double own_rms_px) {
   constexpr double kP99OfSigmas = 3.035;  // of the distance in two dimensions
-  const auto raised = [](const Limits& limits, double own) {
-    return Limits{std::clamp(own, limits.ready, limits.care), limits.care};
+  const auto raised = [](const VerdictLimits& limits, double own) {
+    return VerdictLimits{std::clamp(own, limits.ready, limits.care), limits.care};
   };
-  return worse(word_of(distance.rms, raised(kRmsPx, own_rms_px)),
-               word_of(distance.p99, raised(kP99Px, kP99OfSigmas * own_rms_px)));
+  return worse(word_of(distance.rms, raised(kVerdictRmsPx, own_rms_px)),
+               word_of(distance.p99, raised(kVerdictP99Px, kP99OfSigmas * own_rms_px)));
 }
 
 void add_cameras(const VerdictFacts& facts, const ProofResult& proof, std::vector<Reason>& reasons) {
@@ -87,7 +79,7 @@ void add_cameras(const VerdictFacts& facts, const ProofResult& proof, std::vecto
     const PixelDistance& image = camera.distance.in_image;
     std::vector<Message> of_circle;
     if (camera.distance.is_wide) of_circle.push_back({Code::kVerdictOfCircle, {distance.no_rays}});
-    add(word_of(distance.no_rays, kNoRays), Code::kVerdictNoRays,
+    add(word_of(distance.no_rays, kVerdictNoRays), Code::kVerdictNoRays,
         {proof.program, image.region * image.no_rays, image.region * (1.0 - image.no_rays), why_no_rays(proof), of_circle},
         image);
   }

@@ -44,15 +44,16 @@ void add_compare_options(Options& options, CompareArguments& arguments) {
                    return std::nullopt;
                  });
   options.group(OptionGroup::kProof);
-  options.number("--distance", "METRES",
-                 "Distance of the points from the camera: compare then finds the best rotation together with a shift of the "
-                 "projection centre (default: infinitely far, a rotation alone)",
-                 [&request](double metres) -> std::optional<std::string> {
-                   if (problem_with_baseline(metres).is_said())
-                     return "--distance wants metres in (0, " + std::to_string(static_cast<int>(kLongestDistance)) + ")";
-                   request.distance_m = metres;
-                   return std::nullopt;
-                 });
+  options.number(
+      "--distance", "METRES",
+      "Distance of the points from the camera: compare then finds the best rotation together with a shift of the "
+      "projection centre (default: infinitely far, a rotation alone); no shift is sought where poses cancel the turn",
+      [&request](double metres) -> std::optional<std::string> {
+        if (problem_with_baseline(metres).is_said())
+          return "--distance wants metres in (0, " + std::to_string(static_cast<int>(kLongestDistance)) + ")";
+        request.distance_m = metres;
+        return std::nullopt;
+      });
   add_max_error_option(options,
                        "Exit with 1 if a camera's worst pixel is off by more, if a camera or more than 0.1 % of its image is "
                        "missing, or if compare finds a common mistake (also in poses, IMU and times)",

@@ -44,7 +44,7 @@ class Calibrations:
                 self.disturbed(rig, level)
             for path, word in words.items():
                 self.add_settings(rig, path)
-                rows += [(rig, path, i, word, *error) for i, error in enumerate(self.errors(rig, self.chain(rig, path)))]
+                rows += [(rig, path, i, word, *error) for i, error in enumerate(self.errors(rig, self.chain(rig, path), OPTIONS.get((rig, path), [])))]
         return rows
 
     def add_settings(self, rig, path):
@@ -84,9 +84,10 @@ class Calibrations:
         first = self.convert([source, "--to", "kalibr", "--model", between[0]], middle)
         return worse(first, self.convert([middle, *end], chain))
 
-    def errors(self, rig, chain):
-        """Of each camera of the chain against the true one: px rms, 99 % and max; None without a pixel for a part of the rays."""
-        options = ["--max-angle", str(RIGS[rig]["max_angle"])] if RIGS[rig]["max_angle"] else []
+    def errors(self, rig, chain, region=()):
+        """Of each camera of the chain against the true one: px rms, 99 % and max. `region`: the options that limit the angle, in
+        place of the rig's own."""
+        options = region or (["--max-angle", str(RIGS[rig]["max_angle"])] if RIGS[rig]["max_angle"] else [])
         run = subprocess.run([self.fca_io, "compare", self.chain(rig, self.true_path(rig)), chain, "--json", *options],
                              capture_output=True, text=True)
         cameras = json.loads(run.stdout)["files"][0]["cameras"]

@@ -2,6 +2,7 @@
 """The table of README.md and error.svg, from results.csv and certificates.csv."""
 import math
 import pathlib
+import re
 import statistics
 import sys
 
@@ -15,8 +16,9 @@ NAMES = {"tum_corridor1_512_16_okvis": "corridor", "udel_gore": "gore", "euroc_V
 TITLES = {"euroc": "EuRoC, radtan", "tumvi": "TUM-VI, kb4"}
 SEEDS = 10  # that the table is to have
 LOST = 0.1  # of the length: an estimate that is further off follows the trajectory no more
-# px rms: kRmsPx in formats/verdict.cc; and where the words begin.
-THRESHOLDS = [(0.25, "ready up to here", 0.067), (2.0, "do not use beyond", 0.49)]
+LIMITS = pathlib.Path(__file__).resolve().parents[2] / "formats/include/fca/formats/verdict_limits.h"
+READY, CARE = map(float, re.search(r"kVerdictRmsPx = {([\d.]+), ([\d.]+)}", LIMITS.read_text()).groups())
+THRESHOLDS = [(READY, "ready up to here", 0.067), (CARE, "do not use beyond", 0.49)]  # px rms, and where the words begin
 LOWEST, HIGHEST = 0.5, 50  # the ends of the figure
 
 

@@ -4,6 +4,7 @@
 
 #include <fca/code.h>
 #include <fca/formats/verdict.h>
+#include <fca/formats/verdict_limits.h>
 #include <fca/formats/wording.h>
 
 #include <gtest/gtest.h>
@@ -39,18 +40,21 @@ VerdictWord word_of(const ProofResult& proof) {
 VerdictWord decided(const PixelDistance& all) { return word_of(proof_of(all, all, false)); }
 
 TEST(Verdict, PixelsDecideByTheirRmsAndTheirNinetyNinthPercentile) {
-  EXPECT_EQ(decided(distance(0.25, 1.0)), VerdictWord::kReady) << "whatever the worst pixel";
-  EXPECT_EQ(decided(distance(0.251, 0.5)), VerdictWord::kUseWithCare);
-  EXPECT_EQ(decided(distance(0.1, 1.01)), VerdictWord::kUseWithCare);
-  EXPECT_EQ(decided(distance(2.0, 5.0)), VerdictWord::kUseWithCare);
-  EXPECT_EQ(decided(distance(2.01, 3.0)), VerdictWord::kDoNotUse);
-  EXPECT_EQ(decided(distance(1.0, 5.01)), VerdictWord::kDoNotUse);
+  const auto [ready, care] = kVerdictRmsPx;
+  const auto [p99_ready, p99_care] = kVerdictP99Px;
+  constexpr double kMore = 1.001;
+  EXPECT_EQ(decided(distance(ready, p99_ready)), VerdictWord::kReady) << "whatever the worst pixel";
+  EXPECT_EQ(decided(distance(kMore * ready, 0.5 * p99_ready)), VerdictWord::kUseWithCare);
+  EXPECT_EQ(decided(distance(0.5 * ready, kMore * p99_ready)), VerdictWord::kUseWithCare);
+  EXPECT_EQ(decided(distance(care, p99_care)), VerdictWord::kUseWithCare);
+  EXPECT_EQ(decided(distance(kMore * care, 0.9 * p99_care)), VerdictWord::kDoNotUse);
+  EXPECT_EQ(decided(distance(0.5 * care, kMore * p99_care)), VerdictWord::kDoNotUse);
 }
 
 TEST(Verdict, WhatHasNoRightRayCountsAsAShare) {
-  EXPECT_EQ(decided(distance(0.0, 0.0, 0.01)), VerdictWord::kReady);
-  EXPECT_EQ(decided(distance(0.0, 0.0, 0.011)), VerdictWord::kUseWithCare);
-  EXPECT_EQ(decided(distance(0.0, 0.0, 0.51)), VerdictWord::kDoNotUse);
+  EXPECT_EQ(decided(distance(0.0, 0.0, kVerdictNoRays.ready)), VerdictWord::kReady);
+  EXPECT_EQ(decided(distance(0.0, 0.0, 1.1 * kVerdictNoRays.ready)), VerdictWord::kUseWithCare);
+  EXPECT_EQ(decided(distance(0.0, 0.0, 1.02 * kVerdictNoRays.care)), VerdictWord::kDoNotUse);
 }
 
 TEST(Verdict, TheCornersOfAWideLensDoNotDecide) {

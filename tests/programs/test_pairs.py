@@ -41,16 +41,13 @@ def rows_of(path):
     return (np.array(data["rectification_matrix"]["data"]).reshape(3, 3), np.array(data["projection_matrix"]["data"]).reshape(3, 4))
 
 
-@pytest.mark.parametrize("i", PAIRS)
-def test_ros_has_the_baseline_and_the_points_of_the_pair(i, tmp_path):
-    present(i)
+def ros_agrees(i, T):
+    """The baseline, and points of the left camera in both rectified images: in one row, where the pose puts them."""
     ros = program("ros")
     left, right = (file.path for file in written("ros", i)[:2])
     baseline, rows = ros.pair(left, right, POINTS)
-    T = of_input(i, tmp_path)
     assert abs(baseline - np.linalg.norm(T[:3, 3])) <= METRES
     assert np.abs(rows[:, 4:] - POINTS).max() <= 1e-5 * 20.0  # its disparity is a float
-    # A point of the left camera is seen in both rectified images in one row, where the pose puts it.
     (R_left, P_left), (R_right, P_right) = rows_of(left), rows_of(right)
     for point, row in zip(POINTS, rows):
         there = R_right @ (T[:3, :3] @ (R_left.T @ point) + T[:3, 3])
@@ -59,24 +56,58 @@ def test_ros_has_the_baseline_and_the_points_of_the_pair(i, tmp_path):
         assert abs(row[1] - row[3]) <= 1e-9
 
 
-@pytest.mark.parametrize("i", PAIRS + named("rig of four"))
-def test_mrcal_has_the_pose_of_the_rig(i, tmp_path):
-    present(i)
+def mrcal_agrees(i, T):
     mrcal = program("mrcal")
     first, second = (mrcal.pose(file.path) for file in written("mrcal", i)[:2])
-    assert np.abs(second @ np.linalg.inv(first) - of_input(i, tmp_path)).max() <= METRES
+    assert np.abs(second @ np.linalg.inv(first) - T).max() <= METRES
 
 
-@pytest.mark.parametrize("i", PAIRS)
-def test_opencv_rectifies_the_pair_so_that_rows_agree(i, tmp_path):
+def opencv_agrees(i, T):
     """cv2.stereoRectify of the written file: a point is in one row of both images, whose distance is the baseline."""
-    present(i)
     opencv = program("opencv")
-    path = written("opencv", i)[0].path
-    R1, R2, P1, P2, Q = opencv.rectified(path)
-    T = of_input(i, tmp_path)
+    R1, R2, P1, P2, Q = opencv.rectified(written("opencv", i)[0].path)
     assert abs(np.linalg.norm(T[:3, 3]) - abs(1.0 / Q[3, 2])) <= METRES
     for point in POINTS:
         here, there = P1 @ np.append(R1 @ point, 1.0), P2 @ np.append(R1 @ point, 1.0)
         assert abs(here[1] / here[2] - there[1] / there[2]) <= 1e-9 * 1000.0
         assert np.abs(R2 @ (T[:3, :3] @ point + T[:3, 3]) - (R1 @ point + [P2[0, 3] / P2[0, 0], 0.0, 0.0])).max() <= 1e-8
+
+
+AGREES = {"ros": ros_agrees, "mrcal": mrcal_agrees, "opencv": opencv_agrees}
+
+
+@pytest.mark.parametrize("name", AGREES)
+@pytest.mark.parametrize("i", PAIRS)
+def test_the_program_has_the_pose_of_the_pair(name, i, tmp_path):
+    present(i)
+    AGREES[name](i, of_input(i, tmp_path))
+
+
+@pytest.mark.parametrize("i", named("rig of four"))
+def test_mrcal_has_the_pose_of_the_rig(i, tmp_path):
+    present(i)
+    mrcal_agrees(i, of_input(i, tmp_path))
+
+
+def with_(T, rotation=None, translation=None):
+    changed = T.copy()
+    if rotation is not None:
+        changed[:3, :3] = rotation
+    if translation is not None:
+        changed[:3, 3] = translation
+    return changed
+
+
+FAULTS = {"rotation transposed": lambda T: with_(T, rotation=T[:3, :3].T),
+          "one sign": lambda T: with_(T, translation=T[:3, 3] * [-1.0, 1.0, 1.0]),
+          "two numbers exchanged": lambda T: with_(T, translation=T[[1, 0, 2], 3]),
+          "the other way": np.linalg.inv}
+
+
+@pytest.mark.parametrize("name", AGREES)
+@pytest.mark.parametrize("fault", FAULTS)
+def test_the_comparison_finds_each_fault(name, fault, tmp_path):
+    """A pose with that fault is none that the program has."""
+    i = next(i for i, each in enumerate(INPUTS) if each.name == "pair")
+    with pytest.raises(AssertionError):
+        AGREES[name](i, FAULTS[fault](of_input(i, tmp_path)))

@@ -238,7 +238,7 @@ std::string rotation_in_words(const BestRotation& rotation) {
   for (const Axis& axis : axes) {
     // A hundredth of the whole says nothing.
     if (std::abs(axis.radians) < 0.01 * rotation.angle_rad || axis.radians == 0.0) continue;
-    parts.push_back(text::format_short(std::abs(axis.radians) * kDegreesPerRadian, 3) + " " +
+    parts.push_back(text::format_short(std::abs(axis.radians) * kDegreesPerRadian, 3) + " deg " +
                     (axis.radians > 0.0 ? axis.positive : axis.negative));
   }
   const std::string turn = angle_text(rotation.angle_rad) + (parts.empty() ? "" : ": its rays lie " + enumerated(parts, "and"));

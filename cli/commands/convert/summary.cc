@@ -10,9 +10,11 @@
 #include <fca/compare/report.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
+#include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace fca::cli {
@@ -152,15 +154,30 @@ void add_removed(const ConvertResult& outcome, std::vector<SummaryLine>& lines) 
   if (!cameras.empty()) lines.push_back({"left out", enumerated(cameras) + " of the input"});
 }
 
+bool reports(const ConvertResult& outcome, Code code) {
+  return std::ranges::any_of(outcome.diagnostics.entries(),
+                             [code](const Diagnostic& entry) { return entry.facts.code == code; });
+}
+
+/// The turns that went into the poses, as asked.
+void add_turns(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
+  if (!reports(outcome, Code::kTurnedIntoPose)) return;
+  std::vector<std::string> turns;
+  for (const ConvertedCamera& camera : outcome.cameras) {
+    if (!camera.report || !camera.report->turn) continue;
+    const double angle_rad = angle_between(camera.report->turn->T_target_source, Transform());
+    turns.push_back(name_in_words(camera) + " by " + text::format_short(angle_rad * 180.0 / std::numbers::pi, 3) + " deg");
+  }
+  if (!turns.empty()) lines.push_back({"turned", enumerated(turns) + ", in the poses"});
+}
+
 /// A turn in the poses that makes the worst fit much better, where its error matters.
 std::optional<std::string> offered_turn(const ConvertResult& outcome) {
-  const auto& entries = outcome.diagnostics.entries();
-  const bool is_offered =
-      std::ranges::any_of(entries, [](const Diagnostic& entry) { return entry.facts.code == Code::kTurnWouldHelp; });
+  if (!reports(outcome, Code::kTurnWouldHelp)) return std::nullopt;
   double worst_px = kSamePx;
   std::optional<std::string> text;
   for (const ConvertedCamera& camera : outcome.cameras) {
-    if (!is_offered || !camera.report || !camera.report->turn_offer) continue;
+    if (!camera.report || !camera.report->turn_offer) continue;
     const double rms_px = camera.report->statistics.error.rms;
     if (rms_px <= worst_px) continue;
     worst_px = rms_px;
@@ -293,6 +310,7 @@ std::string summary_lines(const ConvertResult& outcome, bool is_short) {
   add_not_compared(outcome, lines);
   add_limits(outcome, lines);
   add_given_lens(outcome, lines);
+  add_turns(outcome, lines);
   add_other_writings(outcome, lines);
   add_better_ways(outcome, lines);
   add_removed(outcome, lines);

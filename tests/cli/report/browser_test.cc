@@ -169,7 +169,7 @@ TEST_P(ReportInABrowser, AComparisonFits) {
   expect_good(read_file(path), 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Widths, ReportInABrowser, testing::Values(400, 740, 1400));
+INSTANTIATE_TEST_SUITE_P(Widths, ReportInABrowser, testing::Values(390, 740, 1280));
 
 /// How many sheets a printer gets.
 std::size_t sheets_of(const std::string& html) {

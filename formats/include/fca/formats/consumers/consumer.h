@@ -136,7 +136,7 @@ enum class ReaderCheck : std::uint8_t {
 struct ReaderSource {
   std::string_view repository;    ///< "ethz-asl/kalibr"
   std::string_view commit = {};   ///< Its first digits: "1f60227".
-  std::string_view version = {};  ///< "V1.0", or what else says which of them: a branch, a file.
+  std::string_view version = {};  ///< The release: "V1.0"; "2.7-20" is 20 commits later.
   std::string_view date = {};     ///< Of the commit, else of the version: 2024-03-08 or 2024-03.
   ReaderCheck check = ReaderCheck::kFromSource;
   std::string_view checked_with = {};  ///< Of kRealProgram, what runs: "OpenCV 4.6.0".
