@@ -48,6 +48,7 @@ enum Behind : std::uint8_t { kTransparent = kScaleColours, kOnStripe, kNextToStr
 std::vector<Rgba> palette() {
   const auto opaque = [](const Rgb& colour) { return Rgba{colour[0], colour[1], colour[2], 0xFF}; };
   std::vector<Rgba> colours;
+  colours.reserve(kNextToStripe + 1);
   for (int i = 0; i < kScaleColours; ++i) colours.push_back(opaque(viridis(static_cast<double>(i) / (kScaleColours - 1))));
   colours.push_back({});  // outside the lens the page shows through
   colours.push_back(opaque(kStripe));

@@ -63,8 +63,8 @@ std::optional<TurnOffer> offered_turn(const FitTask& task, const DegreeFit& fit,
   if (rms_px < kVisiblePx) return std::nullopt;
   const SampledFit& fitted = fit.fit.fitted;
   const std::optional<TurnEstimate> turned =
-      estimate_turn(*fitted.model, samples_for_turn(task, fitted.max_angle_rad, kSamples), fit.ranges);
-  if (!turned || turned->ratio >= kLargestRatio) return std::nullopt;
+      estimate_turn(*fitted.model, samples_for_turn(task, fitted.max_angle_rad, kSamples), fit.ranges, kLargestRatio);
+  if (!turned) return std::nullopt;
   return TurnOffer{turned->angle_rad * 180.0 / std::numbers::pi, turned->ratio * rms_px};
 }
 

@@ -17,7 +17,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Smaller numbers are rounding errors of dot products. Columns and right sides have the length 1.
-constexpr double kRounding = 1e-12;
+constexpr double kRelativeRounding = 1e-12;
 
 /// Returns the u that minimises |E u - f|, where only the elements of u with the indices `free` may differ from 0.
 VectorXd least_squares(const MatrixXd& E, const VectorXd& f, const std::vector<Index>& free) {
@@ -36,7 +36,7 @@ VectorXd non_negative_least_squares(const MatrixXd& E, const VectorXd& f) {
     VectorXd gain = E.transpose() * (f - E * u);
     for (const Index i : free) gain[i] = 0.0;
     Index best = 0;
-    if (E.cols() == 0 || !(gain.maxCoeff(&best) > kRounding)) return u;
+    if (E.cols() == 0 || !(gain.maxCoeff(&best) > kRelativeRounding)) return u;
     free.push_back(best);
     VectorXd next = least_squares(E, f, free);
     // If an element would become negative on the way from u to `next`, u moves only to the point at which the first such
@@ -81,7 +81,7 @@ std::optional<VectorXd> minimise_quadratic(const MatrixXd& H, const VectorXd& g,
   for (Index i = 0; i < E.cols(); ++i) E.col(i).normalize();
   const VectorXd f = VectorXd::Unit(n + 1, n);
   const VectorXd residual = E * non_negative_least_squares(E, f) - f;
-  if (!(residual[n] < -kRounding)) return std::nullopt;
+  if (!(residual[n] < -kRelativeRounding)) return std::nullopt;
   VectorXd x = x_of(-residual.head(n) / residual[n]);
   if (!x.allFinite()) return std::nullopt;
   return x;

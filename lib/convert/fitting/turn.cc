@@ -45,12 +45,13 @@ std::optional<LinearStep> linear_step(Eigen::MatrixXd derivatives, const Eigen::
 struct Step {
   Eigen::Vector3d angles;          ///< Rotation vector [rad].
   double rms_px = 0.0;             ///< After the step, if the errors were linear.
-  double rms_without_turn_px = 0;  ///< After the best step of the parameters alone; only if asked for.
+  double rms_without_turn_px = 0;  ///< After the best step of the parameters alone; 0 if it was not needed.
 };
 
-/// The step from a fit to `samples` without a rotation. nullopt if a sample has no pixel, or there is no finite solution.
+/// The step from a fit to `samples` without a rotation. nullopt if a sample has no pixel, or there is no finite solution. The
+/// step of the parameters alone is computed too if the rotation may reduce its rms to less than `ratio`.
 std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples, std::span<const ParameterRange> ranges,
-                              bool also_without_turn = false) {
+                              double ratio = 0.0) {
   const std::optional<PixelJacobian> jacobian = jacobian_of(fitted.model, samples);
   if (!jacobian) return std::nullopt;
   const std::vector<Eigen::Index> free = free_columns(fitted.model, fitted.at_bound, ranges);
@@ -66,7 +67,8 @@ std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples,
   result.angles.setZero();
   result.angles.head(count) = step->changes.tail(count);
   result.rms_px = step->rms_px;
-  if (!also_without_turn) return result;
+  // The parameters alone do no worse than no step at all.
+  if (step->rms_px >= ratio * jacobian->residuals.norm()) return result;
   const std::optional<LinearStep> without = linear_step(derivatives.leftCols(parameters), jacobian->residuals);
   if (!without) return std::nullopt;
   result.rms_without_turn_px = without->rms_px;
@@ -117,9 +119,9 @@ std::optional<TurnedFit> fit_with_turn(const FittedModel& start, std::span<const
 }
 
 std::optional<TurnEstimate> estimate_turn(const FittedModel& fitted, std::span<const Correspondence> samples,
-                                          std::span<const ParameterRange> ranges) {
-  const std::optional<Step> step = step_from(fitted, with_weight(samples), ranges, true);
-  if (!step || !(step->rms_without_turn_px > 0.0)) return std::nullopt;
+                                          std::span<const ParameterRange> ranges, double largest_ratio) {
+  const std::optional<Step> step = step_from(fitted, with_weight(samples), ranges, largest_ratio);
+  if (!step || step->rms_px >= largest_ratio * step->rms_without_turn_px) return std::nullopt;
   return TurnEstimate{step->rms_px / step->rms_without_turn_px, step->angles.norm()};
 }
 

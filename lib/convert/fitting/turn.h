@@ -29,8 +29,8 @@ struct TurnEstimate {
   double ratio = 1.0;      ///< The rms over that of a step of the parameters alone, on the same samples.
   double angle_rad = 0.0;  ///< The angle of the rotation.
 };
-/// nullopt if a sample has no pixel, or the first step has no solution.
+/// nullopt if the ratio is not less than `largest_ratio`, a sample has no pixel, or the first step has no solution.
 [[nodiscard]] std::optional<TurnEstimate> estimate_turn(const FittedModel& fitted, std::span<const Correspondence> samples,
-                                                        std::span<const ParameterRange> ranges);
+                                                        std::span<const ParameterRange> ranges, double largest_ratio);
 
 }  // namespace fca::internal

@@ -52,9 +52,10 @@ void VariableProjection::AxisEquations::add_to(double scale, const NormalEquatio
   for (std::size_t i = 0; i < shape_count_; ++i) {
     sums.gradient[i] += scale * (dot(i, residual()) + change_[0] * dot(i, focal()) + change_[1] * dot(i, centre()));
     const auto [of_focal, of_centre] = solution(dot(i, focal()), dot(i, centre()));
-    for (std::size_t j = i; j < shape_count_; ++j)
+    for (std::size_t j = i; j < shape_count_; ++j) {
       sums.hessian[i * shape_count_ + j] +=
           scale * scale * (dot(i, j) - of_focal * dot(j, focal()) - of_centre * dot(j, centre()));
+    }
   }
 }
 
