@@ -11,8 +11,6 @@ namespace fca::cli {
 
 namespace {
 
-const Bytef* as_bytes(std::string_view text) { return reinterpret_cast<const Bytef*>(text.data()); }
-
 void put_number(std::string& file, std::size_t number) {
   for (const unsigned shift : {24U, 16U, 8U, 0U}) file += static_cast<char>(number >> shift & 0xFFU);
 }
@@ -24,7 +22,7 @@ void put_chunk(std::string& file, std::string_view type, std::string_view data) 
   file += type;
   file += data;
   const std::string_view checked = std::string_view(file).substr(from);
-  put_number(file, ::crc32_z(0, as_bytes(checked), checked.size()));
+  put_number(file, ::crc32_z(0, reinterpret_cast<const Bytef*>(checked.data()), checked.size()));
 }
 
 std::string header_of(const Picture& picture) {
@@ -53,7 +51,7 @@ std::string compressed(std::string_view data) {
   uLongf size = ::compressBound(data.size());
   std::string result(size, '\0');
   // Into a buffer of that size nothing fails.
-  ::compress2(reinterpret_cast<Bytef*>(result.data()), &size, as_bytes(data), data.size(), kLevel);
+  ::compress2(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(data.data()), data.size(), kLevel);
   result.resize(size);
   return result;
 }

@@ -10,12 +10,13 @@
 #include <fca/compare/report.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
-#include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace fca::cli {
 
@@ -154,26 +155,24 @@ void add_removed(const ConvertResult& outcome, std::vector<SummaryLine>& lines) 
   if (!cameras.empty()) lines.push_back({"left out", enumerated(cameras) + " of the input"});
 }
 
-bool reports(const ConvertResult& outcome, Code code) {
-  return std::ranges::any_of(outcome.diagnostics.entries(),
-                             [code](const Diagnostic& entry) { return entry.facts.code == code; });
-}
-
 /// The turns that went into the poses, as asked.
 void add_turns(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
-  if (!reports(outcome, Code::kTurnedIntoPose)) return;
+  constexpr std::size_t kCamera = 0;  // arguments of kTurnedIntoPose
+  constexpr std::size_t kAngleDeg = 1;
   std::vector<std::string> turns;
-  for (const ConvertedCamera& camera : outcome.cameras) {
-    if (!camera.report || !camera.report->turn) continue;
-    const double angle_rad = angle_between(camera.report->turn->T_target_source, Transform());
-    turns.push_back(name_in_words(camera) + " by " + text::format_short(angle_rad * 180.0 / std::numbers::pi, 3) + " deg");
+  for (const Diagnostic& entry : outcome.diagnostics.entries()) {
+    if (entry.facts.code != Code::kTurnedIntoPose) continue;
+    const std::vector<Argument>& arguments = entry.facts.arguments;
+    turns.push_back(std::get<std::string>(arguments.at(kCamera).value) + " by " +
+                    text::format_short(std::get<double>(arguments.at(kAngleDeg).value), 3) + " deg");
   }
   if (!turns.empty()) lines.push_back({"turned", enumerated(turns) + ", in the poses"});
 }
 
 /// A turn in the poses that makes the worst fit much better, where its error matters.
 std::optional<std::string> offered_turn(const ConvertResult& outcome) {
-  if (!reports(outcome, Code::kTurnWouldHelp)) return std::nullopt;
+  const auto is_offer = [](const Diagnostic& entry) { return entry.facts.code == Code::kTurnWouldHelp; };
+  if (std::ranges::none_of(outcome.diagnostics.entries(), is_offer)) return std::nullopt;
   double worst_px = kSamePx;
   std::optional<std::string> text;
   for (const ConvertedCamera& camera : outcome.cameras) {
