@@ -29,7 +29,7 @@ void add_stream(const Camera& camera, const Message& why, std::vector<Loss>& los
 [[nodiscard]] std::vector<ExtraField> extras_beyond(std::span<const ExtraField> extras, std::span<const ExtraField> there);
 
 /// What the input specifies besides its rig and the edited file, which says `there`, does not: as losses. Keys that the file
-/// has keep its value; for the others `why` is said.
+/// has keep its value; the losses of the others give the reason `why`.
 void add_beyond_base(std::span<const ExtraField> extras, std::span<const ExtraField> there, const Message& why,
                      std::vector<Loss>& losses);
 

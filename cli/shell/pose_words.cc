@@ -14,24 +14,31 @@ namespace fca::cli {
 
 namespace {
 
-/// What the ends of an axis are called.
-struct AxisNames {
-  std::string_view negative;
-  std::string_view positive;
+/// A direction, and what joins it to the thing from which it is seen: "behind cam0", but "ahead of cam0".
+struct Direction {
+  std::string_view name;
+  std::string_view joint = " of ";
 };
 
-constexpr std::array kOfAnyFrame = {AxisNames{"towards -x", "towards +x"}, AxisNames{"towards -y", "towards +y"},
-                                    AxisNames{"towards -z", "towards +z"}};
+/// What the ends of an axis are called.
+struct AxisNames {
+  Direction negative;
+  Direction positive;
+};
+
+constexpr std::string_view kNoJoint = " ";
+constexpr std::array kOfAnyFrame = {AxisNames{{"towards -x"}, {"towards +x"}}, AxisNames{{"towards -y"}, {"towards +y"}},
+                                    AxisNames{{"towards -z"}, {"towards +z"}}};
 /// x right, y down, z forward.
-constexpr std::array kOfACamera = {AxisNames{"to the left", "to the right"}, AxisNames{"above", "below"},
-                                   AxisNames{"behind", "ahead"}};
-/// Those of kOfACamera that take no "of": "1 cm behind cam0", but "1 cm ahead of cam0".
-constexpr std::array<std::string_view, 3> kPrepositions = {"above", "below", "behind"};
-constexpr std::array kViewInAnyFrame = {AxisNames{"looks along -x", "looks along +x"},
-                                        AxisNames{"looks along -y", "looks along +y"},
-                                        AxisNames{"looks along -z", "looks along +z"}};
-constexpr std::array kViewInACamera = {AxisNames{"looks to its left", "looks to its right"},
-                                       AxisNames{"looks up", "looks down"}, AxisNames{"looks backwards", "looks the same way"}};
+constexpr std::array kOfACamera = {AxisNames{{"to the left"}, {"to the right"}},
+                                   AxisNames{{"above", kNoJoint}, {"below", kNoJoint}},
+                                   AxisNames{{"behind", kNoJoint}, {"ahead"}}};
+constexpr std::array kViewInAnyFrame = {AxisNames{{"looks along -x"}, {"looks along +x"}},
+                                        AxisNames{{"looks along -y"}, {"looks along +y"}},
+                                        AxisNames{{"looks along -z"}, {"looks along +z"}}};
+constexpr std::array kViewInACamera = {AxisNames{{"looks to its left"}, {"looks to its right"}},
+                                       AxisNames{{"looks up"}, {"looks down"}},
+                                       AxisNames{{"looks backwards"}, {"looks the same way"}}};
 
 /// Half of the last digit that is printed.
 constexpr double kNoticeableCm = 0.005;
@@ -40,17 +47,16 @@ constexpr double kNoticeableDeg = 0.005;
 std::string position_in_words(const Placement& placement) {
   const auto& names = placement.frame_is_camera ? kOfACamera : kOfAnyFrame;
   std::vector<std::string> parts;
-  std::string_view last;
+  Direction last;
   for (int axis = 0; axis < 3; ++axis) {
     const double centimetres = 100.0 * placement.T_frame_thing(axis, 3);
     if (std::abs(centimetres) < kNoticeableCm) continue;
     const AxisNames& name = names.at(static_cast<std::size_t>(axis));
     last = centimetres < 0.0 ? name.negative : name.positive;
-    parts.push_back(fixed(std::abs(centimetres), 2) + " cm " + std::string(last));
+    parts.push_back(fixed(std::abs(centimetres), 2) + " cm " + std::string(last.name));
   }
   if (parts.empty()) return "sits where " + placement.frame + " is";
-  const bool takes_of = std::ranges::find(kPrepositions, last) == kPrepositions.end();
-  return "sits " + enumerated(parts, "and") + (takes_of ? " of " : " ") + placement.frame;
+  return "sits " + enumerated(parts, "and") + std::string(last.joint) + placement.frame;
 }
 
 /// By how much a camera is turned about its axis against the frame's, whose y is down as its own is: positive as a clock's
@@ -85,7 +91,7 @@ std::string view_in_words(const Placement& placement) {
   const double main = std::abs(view.at(along));
   const double across = std::sqrt(std::max(0.0, std::inner_product(view.begin(), view.end(), view.begin(), 0.0) - main * main));
   const double off = std::atan2(across, main) * kDegreesPerRadian;
-  const std::string words(view.at(along) < 0.0 ? name.negative : name.positive);
+  const std::string words((view.at(along) < 0.0 ? name.negative : name.positive).name);
   const std::string view_words = off < kNoticeableDeg ? words : words + " (" + fixed(off, 2) + " deg off)";
   return placement.frame_is_camera ? view_words + roll_in_words(placement.T_frame_thing, off) : view_words;
 }

@@ -25,7 +25,7 @@ constexpr Note kFrameRateNote = {"Default. Frames per second: not in the input, 
                                  true};
 constexpr Note kPoseNote = {"Default. Identity: not in the input, and slam_no_opt does not start without it.", true};
 
-/// The note on a field; nothing on a value that an input specifies, or that is told with its group.
+/// The note on a field; nothing on a value that an input specifies, or that its group's note covers.
 std::optional<Note> note_on(const Field& field, const Target& target, const Rig& rig) {
   if (field.key == "Camera.fps" && !target.frame_rate_known) return kFrameRateNote;
   if (field.key == "Camera.Tbc" && !rig.resolve("imu0", rig.cameras.front().name)) return kPoseNote;

@@ -150,11 +150,6 @@ std::optional<internal::LensTurn> turn_of(const PreparedPair& pair, const FieldO
   return turn;
 }
 
-void set_turn(CameraComparison& comparison, internal::LensTurn turn) {
-  comparison.rotated = std::move(turn.rotation);
-  if (comparison.focus) comparison.focus->rotated = std::move(turn.in_focus);
-}
-
 CameraComparison comparison_of(const PreparedPair& pair, const CompareOptions& options) {
   const Camera& reference = pair.cameras.reference;
   const Camera& other = pair.cameras.other;
@@ -177,9 +172,9 @@ CameraComparison comparison_of(const PreparedPair& pair, const CompareOptions& o
                                    internal::difference_of(as_they_are, *pair.focus, evaluated), std::nullopt};
   }
   if (reference.model == other.model) return result;
-  std::optional<internal::LensTurn> turn =
+  const std::optional<internal::LensTurn> turn =
       turn_of(pair, pair.focus ? *pair.focus : pair.field_of_view, options.distance_m, options);
-  if (turn) set_turn(result, *std::move(turn));
+  if (turn) internal::set_turn(*turn, result);
   return result;
 }
 

@@ -81,6 +81,11 @@ Cameras cancelling(Cameras candidates, const PoseTask& poses, const std::vector<
 
 }  // namespace
 
+void set_turn(const LensTurn& turn, CameraComparison& camera) {
+  camera.rotated = turn.rotation;
+  if (camera.focus) camera.focus->rotated = turn.in_focus;
+}
+
 std::optional<Rig> fold_turns(const PoseTask& poses, const std::vector<std::optional<LensTurn>>& turns, RigComparison& result) {
   Cameras candidates;
   for (std::size_t i = 0; i < turns.size(); ++i) {
@@ -93,8 +98,7 @@ std::optional<Rig> fold_turns(const PoseTask& poses, const std::vector<std::opti
   const std::vector<PoseComparison> folded = compared_with(reference, poses);
   for (const auto& [camera, turn] : turned) {
     camera->turn_cancels = true;
-    camera->rotated = turn->rotation;
-    if (camera->focus) camera->focus->rotated = turn->in_focus;
+    set_turn(*turn, *camera);
     for (std::size_t i = 0; i < folded.size(); ++i) {
       if (is_of(folded[i], *camera)) result.poses[i].remaining = PoseDistance{folded[i].angle_rad, folded[i].distance_m};
     }

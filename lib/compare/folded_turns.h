@@ -18,6 +18,9 @@ struct LensTurn {
   std::optional<CameraDifference> in_focus;  ///< The differences that it leaves of the rays in focus, where some are.
 };
 
+/// Makes it the turn of that comparison.
+void set_turn(const LensTurn& turn, CameraComparison& camera);
+
 /// Finds the cameras of `result` whose turn R explains most of what their rays differ by, and whose poses differ by the same
 /// R: other.T_cam_x = R reference.T_cam_x. A pose between two such cameras has a turn of each. Sets turn_cancels and the turn
 /// itself of these cameras, and PoseComparison::remaining of their poses. Returns the reference as it is with these turns;

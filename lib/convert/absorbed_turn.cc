@@ -6,13 +6,22 @@
 #include "sampling/weights.h"
 
 #include <fca/code.h>
+#include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <numbers>
 #include <utility>
 #include <vector>
 
-namespace fca::internal {
+namespace fca {
+
+AbsorbedTurn::AbsorbedTurn(const Transform& rotation, double rms_px, double max_px)
+    : T_target_source(rotation),
+      angle_deg(angle_between(rotation, Transform()) * 180.0 / std::numbers::pi),
+      rms_before_px(rms_px),
+      max_before_px(max_px) {}
+
+namespace internal {
 
 namespace {
 
@@ -68,4 +77,6 @@ std::optional<TurnOffer> offered_turn(const FitTask& task, const DegreeFit& fit,
   return TurnOffer{turned->angle_rad * 180.0 / std::numbers::pi, turned->ratio * rms_px};
 }
 
-}  // namespace fca::internal
+}  // namespace internal
+
+}  // namespace fca

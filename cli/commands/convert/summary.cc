@@ -15,7 +15,6 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace fca::cli {
@@ -155,24 +154,18 @@ void add_removed(const ConvertResult& outcome, std::vector<SummaryLine>& lines) 
   if (!cameras.empty()) lines.push_back({"left out", enumerated(cameras) + " of the input"});
 }
 
-/// The turns that went into the poses, as asked.
+/// The turns that were fitted, as asked.
 void add_turns(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
-  constexpr std::size_t kCamera = 0;  // arguments of kTurnedIntoPose
-  constexpr std::size_t kAngleDeg = 1;
   std::vector<std::string> turns;
-  for (const Diagnostic& entry : outcome.diagnostics.entries()) {
-    if (entry.facts.code != Code::kTurnedIntoPose) continue;
-    const std::vector<Argument>& arguments = entry.facts.arguments;
-    turns.push_back(std::get<std::string>(arguments.at(kCamera).value) + " by " +
-                    text::format_short(std::get<double>(arguments.at(kAngleDeg).value), 3) + " deg");
+  for (const ConvertedCamera& camera : outcome.cameras) {
+    if (camera.report && camera.report->turn)
+      turns.push_back(name_in_words(camera) + " by " + text::format_short(camera.report->turn->angle_deg, 3) + " deg");
   }
-  if (!turns.empty()) lines.push_back({"turned", enumerated(turns) + ", in the poses"});
+  if (!turns.empty()) lines.push_back({"turned", enumerated(turns)});
 }
 
 /// A turn in the poses that makes the worst fit much better, where its error matters.
 std::optional<std::string> offered_turn(const ConvertResult& outcome) {
-  const auto is_offer = [](const Diagnostic& entry) { return entry.facts.code == Code::kTurnWouldHelp; };
-  if (std::ranges::none_of(outcome.diagnostics.entries(), is_offer)) return std::nullopt;
   double worst_px = kSamePx;
   std::optional<std::string> text;
   for (const ConvertedCamera& camera : outcome.cameras) {

@@ -5,8 +5,6 @@
 #include <fca/rig/rotation.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <string>
 
 namespace fca {
@@ -27,23 +25,24 @@ void turn_poses(const std::vector<ConvertedCamera>& cameras, Rig& rig) {
   }
 }
 
-void report_turns(const std::vector<PoseEdge>& written, const std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics) {
-  for (const ConvertedCamera& camera : cameras) {
+void report_turns(const std::vector<PoseEdge>& written, std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics) {
+  for (ConvertedCamera& camera : cameras) {
     if (!camera.report) continue;
     const std::string& name = camera.target.name;
     const bool has_pose =
         std::ranges::any_of(written, [&name](const PoseEdge& edge) { return edge.a == name || edge.b == name; });
+    const double rms_px = camera.report->statistics.error.rms;
     if (const std::optional<AbsorbedTurn>& turn = camera.report->turn) {
       const auto [x, y, z] = rotation_vector(turn->T_target_source);
-      const double angle_deg = std::hypot(x, y, z) * 180.0 / std::numbers::pi;
       if (has_pose) {
-        diagnostics.add(Code::kTurnedIntoPose, {name, angle_deg, camera.report->statistics.error.rms, turn->rms_before_px});
+        diagnostics.add(Code::kTurnedIntoPose, {name, turn->angle_deg, rms_px, turn->rms_before_px});
       } else {
-        diagnostics.add(Code::kTurnHasNoPose, {name, angle_deg, x, y, z});
+        diagnostics.add(Code::kTurnHasNoPose, {name, turn->angle_deg, x, y, z});
       }
     }
-    if (const std::optional<TurnOffer>& offer = camera.report->turn_offer; offer && has_pose)
-      diagnostics.add(Code::kTurnWouldHelp, {name, offer->angle_deg, offer->rms_px, camera.report->statistics.error.rms});
+    if (!has_pose) camera.report->turn_offer.reset();
+    if (const std::optional<TurnOffer>& offer = camera.report->turn_offer)
+      diagnostics.add(Code::kTurnWouldHelp, {name, offer->angle_deg, offer->rms_px, rms_px});
   }
 }
 

@@ -12,7 +12,8 @@ namespace fca {
 void turn_poses(const std::vector<ConvertedCamera>& cameras, Rig& rig);
 
 /// Adds a note about each rotated camera, which also says whether the written files contain a pose for the rotation, and about
-/// each camera with a pose that a rotation would improve. `written`: the poses in the written files.
-void report_turns(const std::vector<PoseEdge>& written, const std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics);
+/// each camera with a pose that a rotation would improve. Removes the offers (ConversionReport::turn_offer) of cameras without
+/// a pose, which could not hold the rotation. `written`: the poses in the written files.
+void report_turns(const std::vector<PoseEdge>& written, std::vector<ConvertedCamera>& cameras, Diagnostics& diagnostics);
 
 }  // namespace fca

@@ -41,38 +41,35 @@ std::optional<LinearStep> linear_step(Eigen::MatrixXd derivatives, const Eigen::
   return LinearStep{solution.cwiseQuotient(lengths), (residuals + derivatives * solution).norm()};
 }
 
-/// The step of a fit's free parameters, and of a rotation.
-struct Step {
-  Eigen::Vector3d angles;          ///< Rotation vector [rad].
-  double rms_px = 0.0;             ///< After the step, if the errors were linear.
-  double rms_without_turn_px = 0;  ///< After the best step of the parameters alone; 0 if it was not needed.
+/// The derivatives of the pixels of a fit's samples: by its free parameters, then by the angles of a rotation.
+struct TurnDerivatives {
+  Eigen::MatrixXd columns;
+  Eigen::Index parameters = 0;  ///< The number of columns that are no angles.
+  Eigen::VectorXd residuals;
 };
 
-/// The step from a fit to `samples` without a rotation. nullopt if a sample has no pixel, or there is no finite solution. The
-/// step of the parameters alone is computed too if the rotation may reduce its rms to less than `ratio`.
-std::optional<Step> step_from(const FittedModel& fitted, const Samples& samples, std::span<const ParameterRange> ranges,
-                              double ratio = 0.0) {
+/// Of a fit to `samples` without a rotation. nullopt if a sample has no pixel.
+std::optional<TurnDerivatives> turn_derivatives(const FittedModel& fitted, const Samples& samples,
+                                                std::span<const ParameterRange> ranges) {
   const std::optional<PixelJacobian> jacobian = jacobian_of(fitted.model, samples);
   if (!jacobian) return std::nullopt;
   const std::vector<Eigen::Index> free = free_columns(fitted.model, fitted.at_bound, ranges);
   const auto parameters = static_cast<Eigen::Index>(free.size());
   const Eigen::Index count = angle_count(fitted.model);
-  Eigen::MatrixXd derivatives(jacobian->columns.rows(), parameters + count);
-  derivatives.leftCols(parameters) = jacobian->columns(Eigen::all, free);
-  if (!write_angle_derivatives(fitted.model, samples, Eigen::Vector3d::Zero(), derivatives.rightCols(count)))
+  TurnDerivatives result = {{}, parameters, jacobian->residuals};
+  result.columns.resize(jacobian->columns.rows(), parameters + count);
+  result.columns.leftCols(parameters) = jacobian->columns(Eigen::all, free);
+  if (!write_angle_derivatives(fitted.model, samples, Eigen::Vector3d::Zero(), result.columns.rightCols(count)))
     return std::nullopt;
-  const std::optional<LinearStep> step = linear_step(derivatives, jacobian->residuals);
-  if (!step) return std::nullopt;
-  Step result;
-  result.angles.setZero();
-  result.angles.head(count) = step->changes.tail(count);
-  result.rms_px = step->rms_px;
-  // The parameters alone do no worse than no step at all.
-  if (step->rms_px >= ratio * jacobian->residuals.norm()) return result;
-  const std::optional<LinearStep> without = linear_step(derivatives.leftCols(parameters), jacobian->residuals);
-  if (!without) return std::nullopt;
-  result.rms_without_turn_px = without->rms_px;
   return result;
+}
+
+/// The rotation vector [rad] of a step.
+Eigen::Vector3d angles_of(const LinearStep& step, Eigen::Index parameters) {
+  Eigen::Vector3d angles = Eigen::Vector3d::Zero();
+  const Eigen::Index count = step.changes.size() - parameters;
+  angles.head(count) = step.changes.tail(count);
+  return angles;
 }
 
 /// The samples with a positive weight.
@@ -96,13 +93,16 @@ std::optional<TurnedFit> fit_with_turn(const FittedModel& start, std::span<const
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   bool is_turned = false;
   for (int i = 0; i < kMostSteps; ++i) {
-    const std::optional<Step> step = step_from(*best, rotated_samples(weighted, R), ranges);
+    const std::optional<TurnDerivatives> derivatives = turn_derivatives(*best, rotated_samples(weighted, R), ranges);
+    const std::optional<LinearStep> step =
+        derivatives ? linear_step(derivatives->columns, derivatives->residuals) : std::nullopt;
     if (!step) break;
+    const Eigen::Vector3d angles = angles_of(*step, derivatives->parameters);
     bool is_better = false;
     double gain = 0.0;
     double share = 1.0;
     for (int halving = 0; halving < kMostHalvings && !is_better; ++halving, share *= 0.5) {
-      const Eigen::Matrix3d next = rotation_by(share * step->angles) * R;
+      const Eigen::Matrix3d next = rotation_by(share * angles) * R;
       std::optional<FittedModel> fitted = fit_from(best->model, rotated_samples(weighted, next), ranges);
       is_better = fitted && fitted->reaches_all >= best->reaches_all && fitted->rms_px < best->rms_px;
       if (!is_better) continue;
@@ -120,9 +120,15 @@ std::optional<TurnedFit> fit_with_turn(const FittedModel& start, std::span<const
 
 std::optional<TurnEstimate> estimate_turn(const FittedModel& fitted, std::span<const Correspondence> samples,
                                           std::span<const ParameterRange> ranges, double largest_ratio) {
-  const std::optional<Step> step = step_from(fitted, with_weight(samples), ranges, largest_ratio);
-  if (!step || step->rms_px >= largest_ratio * step->rms_without_turn_px) return std::nullopt;
-  return TurnEstimate{step->rms_px / step->rms_without_turn_px, step->angles.norm()};
+  const std::optional<TurnDerivatives> derivatives = turn_derivatives(fitted, with_weight(samples), ranges);
+  if (!derivatives) return std::nullopt;
+  const std::optional<LinearStep> turned = linear_step(derivatives->columns, derivatives->residuals);
+  // The parameters alone do no worse than no step at all: where the ratio to that is too large, so is the other.
+  if (!turned || turned->rms_px >= largest_ratio * derivatives->residuals.norm()) return std::nullopt;
+  const std::optional<LinearStep> without =
+      linear_step(derivatives->columns.leftCols(derivatives->parameters), derivatives->residuals);
+  if (!without || turned->rms_px >= largest_ratio * without->rms_px) return std::nullopt;
+  return TurnEstimate{turned->rms_px / without->rms_px, angles_of(*turned, derivatives->parameters).norm()};
 }
 
 }  // namespace fca::internal

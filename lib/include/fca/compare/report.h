@@ -82,7 +82,7 @@ struct CameraComparison {
   std::string other;
   std::string reference_model;
   std::string other_model;
-  ImageSize size;             ///< The reference's image, in whose pixels everything is said.
+  ImageSize size;             ///< The reference's image. All errors are in its pixels.
   bool size_assumed = false;  ///< Neither specifies a size: the image whose middle is the reference's principal point.
   std::optional<ImageSize> other_size;          ///< The other's image, where it was scaled to that.
   std::vector<ParameterComparison> parameters;  ///< Of both, the reference's first.

@@ -105,7 +105,10 @@ struct RmsFit {
 
 /// A turn of the camera that was fitted together with its model: the frame of the written camera is another one.
 struct AbsorbedTurn {
+  AbsorbedTurn(const Transform& T_target_source, double rms_before_px, double max_before_px);
+
   Transform T_target_source;   ///< A rotation: takes rays in the calibrated camera's frame to the written one's.
+  double angle_deg = 0.0;      ///< The rotation's angle.
   double rms_before_px = 0.0;  ///< Of the best camera without a turn.
   double max_before_px = 0.0;
 };
